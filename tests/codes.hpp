@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Codes of findings, for tests.
+// Lists the codes of findings for tests.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace robochart::tests {
 
-/// The codes of all findings by place, except advice (RC-W): models of tests are small and seldom use all their
-/// declarations.
+/// Returns the codes of all findings, ordered by place, without advice (RC-W): models of tests are small and seldom use
+/// all their declarations.
 inline std::vector<std::string> codes_but_advice(const diagnostics::Diagnostics& findings) {
     std::vector<std::string> result;
     for (const auto& finding : findings.sorted_findings())

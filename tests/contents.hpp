@@ -7,7 +7,7 @@
 
 namespace robochart::tests {
 
-/// The bytes of a file; "" if it cannot be read.
+/// Returns the bytes of a file, or "" if it cannot be read.
 [[nodiscard]] std::string read_contents(const std::filesystem::path& path);
 
 }  // namespace robochart::tests

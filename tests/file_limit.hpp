@@ -8,7 +8,7 @@
 
 namespace robochart::tests {
 
-/// During its lifetime no file can grow beyond this number of bytes: writing fails, and no signal is sent.
+/// During its lifetime no file can grow beyond this number of bytes: writing fails, and the process receives no signal.
 class FileLimit {
 public:
     explicit FileLimit(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {

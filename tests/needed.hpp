@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs and libraries that a test needs and that scripts/setup.sh installs. If one is missing, the test says so and
-// is skipped. In continuous integration (CI is set) it fails, because a skipped test would go unnoticed.
+// Checks that a program or library is present that a test needs and that scripts/setup.sh installs. If it is missing,
+// the test says so and is skipped. In continuous integration (CI is set) the test fails instead, because nobody would
+// notice that it was skipped.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instances inside parameterised modules, which FDR's front end accepts and cannot evaluate: names of such an instance
-// have no place in the instances of the module, so their first use ends with "lookup not found".
+// Finds instances inside parameterised modules. FDR's front end accepts them and cannot evaluate them: an instance of
+// the module does not contain the names of the nested instance, so their first use ends with "lookup not found".
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace robochart::tests {
 
-/// "M::i" for each instance i anywhere inside a parameterised module M.
+/// Returns "M::i" for each instance i anywhere inside a parameterised module M.
 inline std::vector<std::string> nested_instances(const std::vector<cspm::DeclPtr>& decls, const std::string& path = "",
                                                  bool parameterised = false) {
     std::vector<std::string> result;

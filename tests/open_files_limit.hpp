@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A low limit on open files for tests.
+// Sets a low limit on open files for tests.
 #pragma once
 
 #include <sys/resource.h>
@@ -21,7 +21,8 @@ public:
     ~OpenFilesLimit() { setrlimit(RLIMIT_NOFILE, &usual_); }
 
 private:
-    /// Assumes that no file is open above the lowest free descriptor, which is almost always true in a test.
+    /// Returns the highest descriptor in use. Assumes that no file is open above the lowest free descriptor, which is
+    /// almost always true in a test.
     static int last_open() {
         const int next = ::dup(STDERR_FILENO);
         ::close(next);

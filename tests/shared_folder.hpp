@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Read-only material next to the repository, which tests use if it is present.
+// Finds the read-only material next to the repository, which tests use if it is present.
 #pragma once
 
 #include <cstdlib>
@@ -9,8 +9,8 @@
 
 namespace robochart::tests {
 
-/// The folder that ROBOCHART_SHARED names, or `shared` next to the repository or next to the folder of its worktrees;
-/// empty if there is none.
+/// Returns the folder that ROBOCHART_SHARED names, or `shared` next to the repository or next to the folder of its
+/// worktrees. Returns an empty path if none exists.
 inline std::filesystem::path shared_folder() {
     namespace fs = std::filesystem;
     const fs::path root = tests::source_folder();

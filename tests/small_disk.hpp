@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small disk, for tests that a limit on the size of single files cannot replace.
+// Provides a small disk for tests that need more than a limit on the size of single files.
 #pragma once
 
 #include <fcntl.h>
@@ -20,8 +20,8 @@ inline void write_to(const char* path, const std::string& text) {
     ::close(file);
 }
 
-/// Returns the result of `work` (less than 100), which runs in its own process with a disk of this size in KiB at
-/// `folder`. Returns 100 if the system allows no such disk, 101 if the process ends in another way.
+/// Runs `work` in its own process, with a disk of this size in KiB at `folder`. Returns the result of `work` (less than
+/// 100), 100 if the system allows no such disk, or 101 if the process ends in another way.
 inline int on_small_disk(const std::string& folder, unsigned kibibytes, const std::function<int()>& work) {
     const pid_t child = fork();
     if (child == 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only file that is compiled with the path, so that builds in other folders can share all other objects in the
-// compiler cache.
+// Contains the path of the source tree. No other file is compiled with this path, so builds in other folders can share
+// all other objects in the compiler cache.
 #include "tests/source_folder.hpp"
 
 namespace robochart::tests {

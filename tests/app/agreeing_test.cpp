@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small adversarial models with one or two constructs each: those of tests/app/agreeing and, if it is present, the
-// collection next to the repository. Their verdicts were derived by hand from the rules of the semantics. The test
-// compares the verdicts with the tables and checks that the generated code conforms. For a model that cannot run in
-// cycles, `conform` may report the reason or conformance in another relation, but never a difference.
+// Compares verdicts about small adversarial models with tables. Each model uses one or two constructs. The models are
+// in tests/app/agreeing and, if it is present, in the collection next to the repository. Their verdicts were derived by
+// hand from the rules of the semantics. The test also checks that the generated code conforms. For a model that cannot
+// run in cycles, `conform` may report the reason or conformance in another relation, but never a difference.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -37,7 +37,7 @@ std::string trimmed(std::string text) {
     return text;
 }
 
-/// Our table: model, verdicts, `conforms`.
+/// Reads the project's own table: model, verdicts, `conforms`.
 std::vector<Row> own_rows(const fs::path& folder) {
     std::vector<Row> rows;
     std::ifstream table(folder / "EXPECTED.tsv");
@@ -48,7 +48,8 @@ std::vector<Row> own_rows(const fs::path& folder) {
     return rows;
 }
 
-/// The table of the collection: model, exit code of `check`, verdicts, exit code of `conform` when the table was made.
+/// Reads the table of the collection: model, exit code of `check`, verdicts, and the exit code of `conform` when the
+/// table was made.
 std::vector<Row> collected_rows(const fs::path& folder) {
     std::vector<Row> rows;
     std::ifstream table(folder / "EXPECTED.tsv");
@@ -86,7 +87,7 @@ std::string verdicts(const fs::path& model) {
     return text;
 }
 
-/// The distinct outcomes that `conform` reports for the components.
+/// Returns the distinct outcomes that `conform` reports for the components.
 std::string conformance(const fs::path& model) {
     const nlohmann::json found = report({"conform", model.string(), "--format", "json", "--timeout", "60"});
     if (!found.contains("conformance")) return found["words"];
@@ -127,7 +128,7 @@ TEST(Agreeing, VerdictsByHand) {
     expect_agreement(folder, rows);
 }
 
-/// Models about which users of other tools asked questions. The verdicts follow from the rules of the semantics.
+/// Models of questions that users of other tools have asked. The verdicts follow from the rules of the semantics.
 const std::vector<Row> models_of_questions{
     // An inner transition without a trigger and an outer transition with a trigger: either may come first. The
     // environment may refuse a call, and time waits for it.
@@ -139,7 +140,7 @@ const std::vector<Row> models_of_questions{
     // A machine that waits for a local event is not stuck. A module in which another machine can proceed is not stuck
     // either.
     {"local", "WholeFree:H PartFree:H", false},
-    // The counter reaches 0, and then the other guard is true.
+    // The counter reaches 0, which makes the other guard true.
     {"loop", "K:F D:H T:F", false},
     // Exit actions run from the inside out, then the action of the transition, then entry actions from the outside in.
     {"order", "A:H B:H C:H", false},
@@ -147,8 +148,8 @@ const std::vector<Row> models_of_questions{
     {"prio", "R1:F R2:F D:F", false},
     // Events of two machines may reach the third machine in either order.
     {"raise", "R:F D:H V:H", false},
-    // A clock that is reset at entry equals the time since entry. In a timed claim termination is no deadlock. Time may
-    // pass before the machine terminates, which the block does not allow.
+    // A clock that is reset at entry equals the time since entry. In a timed claim, termination is not a deadlock. Time
+    // may pass before the machine terminates, but the CSP block does not allow that.
     {"timer2", "X:H Y:H Z:F", false},
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the report describes a difference between the event API and the cycle API of generated code.
+// Tests how the report describes a difference between the event API and the cycle API of generated code.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

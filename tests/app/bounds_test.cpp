@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A verdict about a smaller model always says so: it names arithmetic that left its type, calls of functions without a
-// body, and sequences that are too short, if they occur in a reachable state. Otherwise it adds no such note.
+// Tests that a verdict about a smaller model always says so. If they occur in a reachable state, the verdict names
+// arithmetic that left its type, calls of functions without a body, and sequences that are too short. Otherwise it
+// contains no such note.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +18,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// x counts to 3; the guard of t2 doubles it: 2 * 2 is not in 0..3. t3 is never enabled, so x + 9 is never evaluated.
+// x counts to 3. The guard of t2 doubles it, and 2 * 2 is not in 0..3. t3 is never enabled, so x + 9 is never
+// evaluated.
 const char* const machine = R"(
 function f(x : nat) : nat { }
 stm S {
@@ -63,7 +65,7 @@ TEST_F(Bounds, AreReportedWithElementAndPlace) {
 }
 
 TEST_F(Bounds, AreNotReportedWhereNoneIsReached) {
-    // With a carrier that includes 3 * 2, only the note on the function remains. With a body for the function in the
+    // With a carrier that contains 3 * 2, only the note on the function remains. With a body for the function in the
     // instantiations, no note remains.
     const auto wide = check("untimed assertion A : S is divergence-free\n", {"--range", "nat=0..9"});
     ASSERT_EQ(wide.size(), 1U) << wide;
@@ -74,8 +76,8 @@ TEST_F(Bounds, AreNotReportedWhereNoneIsReached) {
         "csp Instantiations csp-begin\nf(x__) = x__\ncsp-end\n",
         {"--range", "nat=0..9"});
     EXPECT_EQ(none.size(), 0U) << none;
-    // Without assertions, `check` checks the core properties, which are about the same states. The condition
-    // x * 2 == 2 compares only the values of the carriers, which nobody chose.
+    // Without assertions, `check` checks the core properties, which depend on the same states. The condition x * 2 == 2
+    // compares only values of the default carriers, which the user has not chosen.
     EXPECT_EQ(check("").size(), 2U);
 }
 
@@ -112,7 +114,8 @@ controller C { event go event twice : nat sref s = Sender sref r = Receiver
     EXPECT_EQ(report["bounds"].size(), 1U);
 }
 
-/// A sequence of at most two elements has no third element: the junction has no enabled transition.
+/// The carrier has sequences of at most two elements, so no sequence has a third element, and the junction has no
+/// enabled transition.
 TEST_F(Bounds, OfSequencesAreNamedWithTheOptionThatWidensThem) {
     const std::string parts = R"(
   event in_ : Seq(boolean)
@@ -160,7 +163,7 @@ TEST_F(Bounds, ErrorsNameTheirCauseInTheModel) {
 }
 
 /// Components are named with their package. If several parts have a component of the same name, the name of the part
-/// comes first.
+/// precedes the name of the package.
 TEST_F(Bounds, NameTheComponent) {
     const Folder folder(
         {{"a.rct", "package a\n" + std::string(machine)}, {"b.rct", "package b\n" + std::string(machine)}});

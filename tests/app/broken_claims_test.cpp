@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An assertion file with errors does not stop the claims of other files. Claims that may depend on the erroneous file
-// are undecided.
+// Tests that an assertion file with errors does not stop the claims of other files. Claims that may depend on the
+// erroneous file are undecided.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ const std::string unknown_name = "untimed assertion Broken : N is deadlock-free.
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// Maps titles to answers of the JSON report; the answer is empty if the report has none.
+/// Maps titles to answers of the JSON report. The answer is empty if the report has none.
 std::map<std::string, std::string> answers(const Files& files, int exit, const std::vector<std::string>& options = {}) {
     const Folder folder(files);
     std::vector<std::string> arguments{"check", folder.path(), "--format", "json"};
@@ -100,8 +100,8 @@ TEST(BrokenClaims, OfAnotherFileMayNameTheBlock) {
         << "nothing is left";
 }
 
-// A syntax error after a claim may have been meant as a part of the claim. A syntax error before it on the same line
-// may have been meant as its time.
+// The text of a syntax error after a claim may have been meant as a part of the claim. If it precedes the claim on the
+// same line, it may have been meant as the claim's time.
 TEST(BrokenClaims, IncludeClaimsNextToASyntaxError) {
     const std::string before = "untimed assertion Before : M is deadlock-free\n";
     const std::string after = "untimed assertion After : M is deadlock-free\n";
@@ -122,8 +122,8 @@ TEST(BrokenClaims, OfASyntaxErrorAndOfABlockAreBothLeftOut) {
               (std::map<std::string, std::string>{{"Good", "holds"}, {"Beside", "holds"}}));
 }
 
-// The only block that replaces the instantiation replaces it for all files. A text that cannot be parsed may contain
-// any block. An error before all claims may affect all of them.
+// A block that replaces the instantiation replaces it for all files, so an error in the only such block affects all
+// claims. A text that cannot be parsed may contain any block. An error before all claims may affect all of them.
 TEST(BrokenClaims, ThatOthersMayDependOnStopThem) {
     const std::string values = "csp Instantiations csp-begin\nnametype core_nat = undeclared\ncsp-end\n";
     const std::map<std::string, std::string> none{{"Good", "error"}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests `--certify`: what the report says about certificates, and the exit codes. A short program replaces
-// robochart-certify, so its answers are known; tests/checker/certify has tests of the program itself.
+// robochart-certify, so its answers are known. tests/checker/certify contains tests of the program itself.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(Certify, PagesSayCertified) {
                 HasSubstr("<br>holds (certified: product level, unreduced, 12 pairs, 1 component); certificate"));
 }
 
-/// The answer of the search is wrong then, so the run must not succeed.
+/// If a certificate is refused, the answer of the search is wrong, so the run must not succeed.
 TEST(Certify, ARefusedCertificateIsAnError) {
     const Ran ran =
         run_with_answer("refused after <a>, it can do nothing", "\"$verify\" cspm s.csp --no-cache --certify certs");

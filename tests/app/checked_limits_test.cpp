@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A limit may turn an answer of `check` into "inconclusive", but never into another answer. The test checks every model
-// with claims in the repository, and the assertions generated for them, with few states, little memory, and one or
-// several threads.
+// Tests that a limit may turn an answer of `check` into "inconclusive", but never into another answer. The test checks
+// every model with claims in the repository, and the assertions generated for these models, with few states, little
+// memory, and one or several threads.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 using Inputs = std::vector<std::string>;
 
-/// Adds each folder below this one as a model.
+/// Adds each folder below `folder` as a model.
 void add_folders(const std::string& folder, std::vector<Inputs>& all) {
     std::vector<Inputs> found;
     for (const auto& entry : fs::directory_iterator(repository(folder)))
@@ -79,7 +79,7 @@ private:
     std::vector<driver::Part> parts_;
 };
 
-/// Claims that consist of several CSPM assertions. In each claim a different assertion settles the answer.
+/// Claims that consist of several CSPM assertions. In each claim a different assertion determines the answer.
 const char* const machines_of_several = R"(
 stm Early { event a event b clock C initial i state A { } state B { }
   transition t0 { from i to A }
@@ -107,7 +107,7 @@ assertion E3 : Never equals Never
 assertion E4 : Never is not equal to Never
 )";
 
-/// Counts the answers that were compared, so that a test can require at least one of each sort.
+/// Counts the answers that were compared, so that a test can require at least one of each kind.
 struct Seen {
     std::size_t decided = 0;
     std::size_t inconclusive = 0;
@@ -143,7 +143,7 @@ void expect_that_limits_only_hide(const Inputs& inputs, Seen& seen) {
     for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U}) {
         expect_equal_or_inconclusive(whole, model.check(states, threads),
                                      fmt::format("{}, {} states, {} threads", model.name(), states, threads), seen);
-        threads = 5 - threads;  // 1 and 4 in turn
+        threads = 5 - threads;  // alternates between 1 and 4
     }
 }
 
@@ -154,8 +154,8 @@ TEST(CheckedLimits, NeverTurnAnAnswerIntoAnother) {
     EXPECT_GT(seen.inconclusive, 500U);
 }
 
-/// A limit may stop one assertion while the next one is decided. The counterexample of the latter is not a
-/// counterexample of the claim.
+/// A limit may stop one assertion of a claim while the next assertion is decided. A counterexample to the next
+/// assertion alone is not a counterexample to the claim.
 TEST(CheckedLimits, OfClaimsOfSeveralAssertions) {
     const TemporaryFile model("several.rct", machines_of_several);
     const std::string folder = fs::path(model.path()).parent_path().string();
@@ -166,12 +166,12 @@ TEST(CheckedLimits, OfClaimsOfSeveralAssertions) {
     EXPECT_GT(seen.inconclusive, 10U);
 }
 
-/// The verdict of each CSPM assertion of a model, in order.
+/// Decides the CSPM assertions of a model, in order.
 class Verdicts {
 public:
     explicit Verdicts(const csp_emit::Emission& emission) : emission_(emission), session_(emission.script) {}
 
-    /// One word for each verdict. One session decides all assertions, as in `check`, and can be queried again.
+    /// Returns one word for each verdict. One session decides all assertions, as in `check`, and can be queried again.
     [[nodiscard]] std::vector<std::string> decided(const refine::Limits& limits) {
         std::vector<std::string> words;
         for (const csp_emit::Obligation& obligation : emission_.obligations)
@@ -202,7 +202,7 @@ refine::Limits limits_of(std::uint64_t states, unsigned threads) {
     return limits;
 }
 
-/// Limits from zero up to the full amount of work.
+/// Returns limits from zero up to the full amount of work.
 std::vector<std::pair<std::string, refine::Limits>> all_limits() {
     std::vector<std::pair<std::string, refine::Limits>> all;
     for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U})
@@ -220,8 +220,8 @@ std::vector<std::pair<std::string, refine::Limits>> all_limits() {
 }
 
 /// Checks the layer below `check`: levels divided between threads, little memory, and interruptions. A session that was
-/// stopped by a limit keeps no partial results: without a limit it then gives the complete answers. Tries every second
-/// limit for each model and time, in turns.
+/// stopped by a limit keeps no partial results: without a limit it then gives the complete answers. For each model and
+/// time, the test tries every second limit, alternating between the even and the odd ones.
 TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
     Seen seen;
     std::size_t turn = 0;

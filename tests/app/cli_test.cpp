@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command as users and CI servers run it: exit codes, hostile input, the case studies.
+// Tests the command as users and CI servers run it: exit codes, hostile input, the case studies.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST(Cli, WarningsCanBeLeftOutOrDenied) {
     }
 }
 
-/// Output files are named after the input folder, however the command line spells its path.
+/// Output files are named after the input folder, however the command line writes the path of the folder.
 TEST(Cli, TheCurrentFolderHasItsOwnName) {
     const Ran ran = run_shell(
         "mkdir -p rover/empty && cd rover\n"
@@ -250,7 +250,7 @@ TEST(Cli, ScriptsAreTypeCheckedFirst) {
                 HasSubstr("robochart-verify/diagnostics/1"));
 }
 
-/// Only the comparison of code and simulation need a compiler.
+/// Only the simulation and the comparison of code with its model need a compiler.
 TEST(Cli, WithoutACompilerTheVerdictsAreKnown) {
     const std::string model = repository("corpus/aggregation");
     const Ran ran = run_shell("PATH=/nonexistent \"$verify\" '" + model + "'");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `conform --export`: the complete state space of the code for other tools, and a script that contains the model. For
-// this script, the project's checker of scripts must give the same answer as `conform`.
+// Tests `conform --export`, which writes the complete state space of the code for other tools, and a script that
+// contains the model. For this script, the project's checker of scripts must give the same answer as `conform`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -20,7 +20,8 @@ using testing::repository;
 using testing::run;
 using ::testing::StartsWith;
 
-/// The model leaves a choice, so its code has more states with all choices. Both relations are tested.
+/// The model leaves a choice, so its code has more states if it is generated with all choices. Both refinement
+/// relations are tested.
 TEST(Conform, RelationsAndChoices) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -57,7 +58,7 @@ TEST(CodeExport, TheScriptRepeatsTheCheck) {
     }
 }
 
-/// Aldebaran's format: `des (0, transitions, states)`, then one line for each transition.
+/// Aldebaran's format has a line `des (0, transitions, states)`, and then one line for each transition.
 TEST(CodeExport, AldebaranHasEveryTransition) {
     const testing::Folder folder;
     const std::string path = folder / "code.aut";

@@ -16,7 +16,8 @@ namespace {
 
 using tests::read_contents;
 
-/// Removes AddressSanitizer's warning about the evaluator's own stack, which the program did not print.
+/// Removes a warning that AddressSanitizer prints about the evaluator's own stack, because it is not output of the
+/// program.
 std::string without_sanitizer_note(std::string text) {
     const std::size_t note = text.find("WARNING: ASan doesn't fully support makecontext");
     if (note == std::string::npos) return text;
@@ -44,14 +45,14 @@ void redirect(const char* path, int flags, int to) {
 
 using Become = std::function<void(const std::string& folder)>;
 
-/// `before` runs in the child, `meanwhile` in the parent.
+/// Runs a child process with this input. `before` runs in the child, `meanwhile` in the parent.
 Ran run_child(const Become& become, const std::string& input, const std::function<void()>& before,
               const std::function<void(pid_t)>& meanwhile) {
     const tests::TemporaryFolder folder;
     folder.write("stdin.txt", input);
     const pid_t child = fork();
     if (child == 0) {
-        setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);  // keeps existing caches of users out of the test
+        setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);  // so the test does not use the user's caches
         before();
         become(folder.path());
         _exit(127);

@@ -21,17 +21,17 @@ struct Ran {
 /// Runs robochart-verify with these arguments and this standard input in an empty temporary folder.
 [[nodiscard]] Ran run(const std::vector<std::string>& arguments, const std::string& input = "");
 
-/// Waits; `ended` says whether the command has ended.
+/// Waits before the signal is sent. `ended` returns true once the command has ended.
 using Wait = std::function<void(const std::function<bool()>& ended)>;
 /// Like `run`, but sends the signal after `wait`, which by default takes 1.5 seconds.
 [[nodiscard]] Ran run_and_signal(const std::vector<std::string>& arguments, int signal, const Wait& wait = {});
-/// Like `run`, with this limit of the address space (RLIMIT_AS).
+/// Like `run`, but limits the address space to `bytes` (RLIMIT_AS).
 [[nodiscard]] Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint64_t bytes);
 
-/// Runs shell commands in an empty temporary folder; "$verify" is the command.
+/// Runs shell commands in an empty temporary folder. In them, "$verify" is the command.
 [[nodiscard]] Ran run_shell(const std::string& commands);
 
-/// A file alone in a temporary folder.
+/// A temporary folder with one file.
 class TemporaryFile {
 public:
     TemporaryFile(const std::string& name, const std::string& text);
@@ -46,7 +46,7 @@ private:
 class Folder {
 public:
     explicit Folder(const std::vector<std::pair<std::string, std::string>>& files = {});
-    /// The path of a file in the folder (it need not exist), or of the folder itself if `name` is empty.
+    /// Returns the path of a file in the folder (it need not exist), or of the folder itself if `name` is empty.
     [[nodiscard]] std::string path(const std::string& name = "") const {
         return name.empty() ? folder_.path() : folder_.in(name);
     }
@@ -56,7 +56,7 @@ private:
     tests::TemporaryFolder folder_;
 };
 
-/// The absolute path of a path inside the repository.
+/// Returns the absolute path of a path inside the repository.
 [[nodiscard]] std::string repository(const std::string& path);
 
 }  // namespace robochart::app::testing

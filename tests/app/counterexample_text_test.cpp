@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counterexamples in terms of the model, for each form of claim: the path, the missed deadline, the loop.
+// Tests counterexamples in terms of the model for each form of claim: the path, the missed deadline, the loop.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ stm Ends { event a initial i state A { } final f transition t0 { from i to A }
 stm Runs { event a initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger a } }
 )";
 
-/// The report of this claim.
+/// Returns the report of this claim.
 std::string reported(const std::string& claim) {
     const TemporaryFile model("reported.rct", machines);
     const std::string folder = std::filesystem::path(model.path()).parent_path().string();
@@ -75,8 +75,8 @@ TEST(CounterexampleText, ADeadlockInTimeIsNoDivergence) {
                       Not(HasSubstr("internally"))));
 }
 
-/// Two machines of a controller. After 22 time units the second machine waits for the first one indefinitely: the clock
-/// has counted 20, the wait 2.
+/// Two machines of a controller. After 22 time units, the second machine waits for the first one indefinitely: the
+/// clock has counted to 20, and the wait takes 2 more.
 const char* const late = R"(
 interface V { var y : nat }
 interface K { event c }
@@ -93,7 +93,7 @@ stm Never { uses K initial i state S { } transition t0 { from i to S } }
 module M { robotic platform P { provides V } cref both = Both }
 )";
 
-/// The first counterexample in the report of a claim about `late`.
+/// Returns the first counterexample in the report of a claim about `late`.
 nlohmann::json of_late(const std::string& claim, std::string* text = nullptr) {
     const TemporaryFile model("late.rct", late);
     const std::string folder = std::filesystem::path(model.path()).parent_path().string();
@@ -105,7 +105,7 @@ nlohmann::json of_late(const std::string& claim, std::string* text = nullptr) {
     return report.is_discarded() ? nlohmann::json() : report["assertions"][0]["counterexample"];
 }
 
-// The check renames tock so that deadlocks become visible. The counterexample must still show time passing.
+// The check renames tock, which makes deadlocks visible. The counterexample must still show that time passes.
 TEST(CounterexampleText, TimePassesWhateverTheCheckCallsIt) {
     std::string text;
     const auto run = of_late("timed assertion A : M is deadlock-free", &text);
@@ -156,7 +156,7 @@ TEST(CounterexampleText, EveryStepNamesItsMachineItsElementAndItsPlace) {
         nlohmann::json::array({{{"component", "M::both::other"}, {"name", "y"}, {"before", "0"}, {"after", "1"}}}));
 }
 
-// Before the first event, each of the machines could start.
+// Before the first event, either machine can start.
 TEST(CounterexampleText, WhatElseWasPossibleIsThere) {
     const auto run = of_late("timed assertion A : M is deadlock-free");
     std::set<std::string> begin{run["steps"][0]["component"]};
@@ -192,7 +192,7 @@ TEST(CounterexampleText, ReachabilityShowsThePath) {
                 HasSubstr("it refines the other"));
 }
 
-/// `n` and `m` have so many values of clocks and variables that separate processes store them.
+/// The clocks and variables have so many values that separate processes store `n` and `m`.
 const char* const held = R"(
 interface O { go(x : nat) }
 stm Held { requires O event a : nat var n : nat = 0 var m : nat = 7 clock C clock D
@@ -204,7 +204,8 @@ stm Held { requires O event a : nat var n : nat = 0 var m : nat = 7 clock C cloc
   transition t3 { from F to E condition since(D) >= 300 /\ n > 1 } }
 )";
 
-// The memory does not store a value that is never read again. It contains an older value: 7 here, although m got 0.
+// The memory does not store a value that is never read again, but contains an older value. Here the memory of m
+// contains 7, although m has received 0.
 TEST(CounterexampleText, VariablesOutsideTheProcessAreShownLikeThoseInside) {
     const TemporaryFile model("held.rct", held);
     const std::string folder = std::filesystem::path(model.path()).parent_path().string();
@@ -225,8 +226,8 @@ TEST(CounterexampleText, VariablesOutsideTheProcessAreShownLikeThoseInside) {
     }
 }
 
-// The store of a received value, the guard that reads it, and an action that starts with a call are one input and one
-// transition after it.
+// The script stores the received value, reads it for the guard, and starts an action with a call. The counterexample
+// shows these steps as one input and one transition after it.
 TEST(CounterexampleText, AnInputNamesTheTransitionWhoseActionBeginsWithACall) {
     const TemporaryFile model("guarded.rct", R"(
 interface O { go(x : nat) }
@@ -259,8 +260,8 @@ TEST(CounterexampleText, TickTockNamesWhatWasRefused) {
                 AllOf(HasSubstr("refusal of input a"), HasSubstr("why refusal of input a is not allowed here")));
 }
 
-/// A module, its controller and its machine have the same deadlock. The text shows the counterexample once; the data
-/// contain it three times.
+/// A module, its controller and its machine have the same deadlock. The text shows the counterexample once, but the
+/// data contain it three times.
 TEST(CoreProperties, ARunThatComponentsShareIsPrintedOnce) {
     const TemporaryFile model("stuck.rct", R"(
 interface I { event go }

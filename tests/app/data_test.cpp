@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts about all values (docs/data.md), compared with derived answers and with the finite instantiation.
+// Tests verdicts about all values (docs/data.md). Compares them with answers that were derived by hand, and with the
+// finite instantiation.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,13 +27,14 @@ namespace {
 using testing::run;
 using Json = nlohmann::json;
 
-/// The answers to the core properties by "component property", and the classes by the first place.
+/// The answers to the core properties by "component property", and the number of classes by the first place of the
+/// data.
 struct Answers {
     std::map<std::string, std::string> verdicts;
     std::map<std::string, std::uint64_t> states;
     std::map<std::string, std::size_t> classes;
-    std::map<std::string, std::string> kept;  ///< why data keep their carriers, by the first place
-    std::set<std::string> bounded;            ///< claims whose answer rests on bounds
+    std::map<std::string, std::string> kept;  ///< why data keep their carriers, by their first place
+    std::set<std::string> bounded;            ///< claims whose answer depends on bounds
     std::set<std::string> free;               ///< claims that are decided with free values of computed data
     std::string text;
 };
@@ -68,7 +70,7 @@ struct Expected {
     std::string component, property, answer;
 };
 
-/// The rows of ../shared/suite/data/EXPECTED.tsv about claims.
+/// Reads the rows of ../shared/suite/data/EXPECTED.tsv that are about claims.
 class SharedData : public ::testing::Test {
 protected:
     static void expect(const std::string& model, const std::vector<Expected>& expected,
@@ -168,7 +170,7 @@ TEST_F(SharedData, AStoreOfRecordsIsDecided) {
            {}, 100);
 }
 
-/// The result of conform for the only component.
+/// Returns the result of conform for the only component.
 Json conformance_of(const std::string& model, const std::vector<std::string>& more, int exit = 0) {
     std::vector<std::string> options{"conform", model, "--no-cache", "--walks", "300", "--format", "json"};
     options.insert(options.end(), more.begin(), more.end());
@@ -187,7 +189,7 @@ void expect_end_of_carriers(const Json& result) {
                                  ::testing::HasSubstr("of these walks ended where")));
 }
 
-/// The list that is sent is longer than the list that was received, by one item.
+/// The list that the model sends is one item longer than the list that it has received.
 TEST_F(SharedData, AStoreOfListsConforms) {
     const auto folder = tests::shared_folder() / "suite/data/store_list";
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "../shared/suite/data is not there";
@@ -226,7 +228,7 @@ TEST_F(SharedData, ScansOfAnyLengthConform) {
     }
 }
 
-/// Carriers, not the model, are the reason why the list has no value.
+/// The list has no value because the carriers are finite, not because the model has a fault.
 TEST(Carriers, AListThatGrowsBeyondThemIsNoFaultOfTheModel) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -275,7 +277,7 @@ int draw(Random& random, int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(random);
 }
 
-/// A condition on one of the variables with small constants.
+/// Returns a random condition with small constants on the variable.
 std::string any_condition(Random& random, const char* variable) {
     const char* const relations[] = {"<", "<=", ">", ">=", "==", "!="};
     const auto comparison = [&] {
@@ -293,7 +295,7 @@ std::string any_condition(Random& random, const char* variable) {
     }
 }
 
-/// A machine with two inputs, which are tested when they come and later.
+/// Returns a random machine with two inputs. Conditions read them when they are received and later.
 std::string any_machine(Random& random) {
     const auto condition = [&](const char* variable) { return any_condition(random, variable); };
     std::string text =
@@ -310,7 +312,7 @@ std::string any_machine(Random& random) {
     return text + "}\n";
 }
 
-/// The carrier 0..5 has a number beyond every constant, so it has a number of every class.
+/// The carrier 0..5 has a number greater than every constant, so it has a number of every class.
 TEST(Classes, GiveTheAnswersOfCarriersThatHaveAllClasses) {
     Random random(6);
     std::size_t replaced = 0, failing = 0;
@@ -333,7 +335,7 @@ TEST(Classes, GiveTheAnswersOfCarriersThatHaveAllClasses) {
     EXPECT_GT(failing, tests::rounds(50)) << "some claims fail";
 }
 
-/// The answers to all claims about a model by their titles, and the carriers of its numbers as options.
+/// The answers to all claims about a model by their titles, and the options that set the carriers of its numbers.
 struct DecidedModel {
     std::map<std::string, std::string> answers;
     std::vector<std::string> carriers;
@@ -354,7 +356,7 @@ DecidedModel decided_model(const std::string& model, std::vector<std::string> op
     for (const Json& range : report.at("run").at("ranges")) {
         const std::string type = range.at("type");
         if (type != "nat" && type != "int" && type != "real") continue;
-        if (!types.insert(type).second) result.has_small_carriers = false;  // several models with carriers of their own
+        if (!types.insert(type).second) result.has_small_carriers = false;  // models with different carriers
         result.has_small_carriers = result.has_small_carriers && range.at("values") <= 64;
         result.carriers.insert(result.carriers.end(),
                                {"--range", fmt::format("{}={}..{}", type, range.at("low").get<std::int64_t>(),
@@ -363,7 +365,7 @@ DecidedModel decided_model(const std::string& model, std::vector<std::string> op
     return result;
 }
 
-/// The folders with models in the repository and, if they are there, in the suites beside it.
+/// Returns the folders with models in the repository and, if they are present, in the suites beside it.
 std::vector<std::string> folders_of_models() {
     std::set<std::string> folders;
     const std::filesystem::path suites = tests::shared_folder() / "suite";
@@ -378,8 +380,8 @@ std::vector<std::string> folders_of_models() {
     return {folders.begin(), folders.end()};
 }
 
-/// Claims that are decided with classes have the answers of the carriers that the program would choose, if these are
-/// small. All models with ROBOCHART_ALL_ROUNDS, a few otherwise.
+/// Claims that are decided with classes have the same answers as with the carriers that the program would choose. The
+/// test checks this if these carriers are small. It uses all models with ROBOCHART_ALL_ROUNDS, and a few otherwise.
 TEST(Classes, GiveTheAnswersOfCarriersInTheSuites) {
     const std::vector<std::string> folders = folders_of_models();
     const std::size_t step = tests::rounds(3) == 3 ? 1 : 12;
@@ -398,8 +400,8 @@ TEST(Classes, GiveTheAnswersOfCarriersInTheSuites) {
     EXPECT_GE(compared, 10U);
 }
 
-/// Data with classes need no carrier, so a carrier of millions is no obstacle. Data that keep their carrier have the
-/// numbers of the model and their neighbours: 4,999,999 and 5,000,001 lead to different states.
+/// Data with classes need no carrier, so a carrier of millions of numbers is no obstacle. Data that keep their carrier
+/// have the numbers of the model and the neighbours of these numbers: 4,999,999 and 5,000,001 lead to different states.
 TEST(Classes, NumbersOfMillionsAreDecided) {
     const testing::TemporaryFile classes(
         "m.rct",
@@ -434,8 +436,8 @@ TEST(Classes, OfPredicatesInActionsAreThoseOfTheReceivedValue) {
     EXPECT_EQ(found.classes.at("e"), 4U) << "0..3, 4..5, 6..8, and more";
 }
 
-/// A class stands for many values, so it has no probability: with equally likely inputs, one of the seven values of the
-/// carrier is above 3, and one of two classes.
+/// A class represents many values, so it has no probability. With equally likely inputs, the probability of a value
+/// above 3 is one of seven with the carrier, but one of two with classes.
 TEST(Shortcuts, ClassesHaveNoProbabilities) {
     const testing::Folder folder(
         {{"m.rct",
@@ -457,8 +459,8 @@ TEST(Shortcuts, ClassesHaveNoProbabilities) {
     EXPECT_GT(value({"--range", "int=-2..7"}), found) << "as many values above 3 as below: like two classes";
 }
 
-/// Classes are not mentioned if only probabilities are computed. If other claims have classes, the probability rests on
-/// the values of the carriers.
+/// Reports do not mention classes if only probabilities are computed. If other claims have classes, the probability
+/// depends on the values of the carriers.
 TEST(Shortcuts, ProbabilitiesAreNotAboutAllValues) {
     const std::string model =
         "stm S { event e : int var x : int = 0 initial i state A { } state B { } transition t0 { from i to A } "
@@ -482,7 +484,7 @@ TEST(Shortcuts, ProbabilitiesAreNotAboutAllValues) {
 
 // ---------------------------------------------------------------- computed data
 
-/// A queue that grows without a bound. No finite list is long enough, and no verdict depends on its length.
+/// The queue grows without a bound, so no finite list is long enough. No verdict depends on its length.
 TEST(ComputedData, AListWithoutABoundIsDecidedForAllLengths) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -500,8 +502,9 @@ TEST(ComputedData, AListWithoutABoundIsDecidedForAllLengths) {
     }
 }
 
-/// The states have no end. A time lock or a deadlock in which only time passes is a cycle, which the search looks for
-/// at its end; so it also looks among the first states. Here `get` without `put` asks for the head of the empty list.
+/// The states are infinitely many. A timelock, or a deadlock in which only time passes, is a cycle, and the search
+/// looks for cycles only at its end. Therefore it also looks for them among the first states. Here `get` without `put`
+/// reads the head of the empty list.
 TEST(ComputedData, ADeadlockAmongTheFirstOfEndlessStatesIsFound) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -514,8 +517,8 @@ TEST(ComputedData, ADeadlockAmongTheFirstOfEndlessStatesIsFound) {
     EXPECT_THAT(found.text, ::testing::HasSubstr("may not be a shortest one"));
 }
 
-/// A sum reaches every number, so that no answer may say that the alarm is never raised; and numbers that the carriers
-/// end before are reached, too.
+/// A sum reaches every number, so no answer may say that the alarm is never raised. It also reaches numbers beyond the
+/// end of the carriers.
 TEST(ComputedData, WhatMayFailIsNotDecidedByAbstraction) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -531,7 +534,8 @@ TEST(ComputedData, WhatMayFailIsNotDecidedByAbstraction) {
     EXPECT_EQ(found.verdicts.at("state machine S deadlock-free"), "fails") << found.text;
 }
 
-/// A product of inputs may be of any size: the guards are complete, so that some transition is always possible.
+/// The condition x * y is not linear, so either guard may be true. Together the guards cover all products, so a
+/// transition is always possible.
 TEST(ComputedData, ConditionsThatAreNotLinearMayHaveEitherAnswer) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -544,8 +548,8 @@ TEST(ComputedData, ConditionsThatAreNotLinearMayHaveEitherAnswer) {
     EXPECT_FALSE(found.bounded.contains(stuck)) << found.text;
 }
 
-/// B is left only if a product is small. A branch that may be possible, offered in addition to what is certain, would
-/// hide the deadlock. The failure with free values need not be a run of the model, so no run is shown.
+/// B is left only if a product is small. If the search added this possible branch to the certain transitions, it would
+/// not see the deadlock. A failure with free values may not be a run of the model, so the report shows no run.
 TEST(ComputedData, ABranchThatMayBePossibleIsNotOfferedForCertain) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -561,7 +565,7 @@ TEST(ComputedData, ABranchThatMayBePossibleIsNotOfferedForCertain) {
 
 // ---------------------------------------------------------------- relations of variables
 
-/// Two inputs of one type that are compared with each other, and a state for each answer.
+/// Returns a machine with two inputs of one type, which its conditions compare, and three states.
 std::string comparing(const std::string& type, const std::string& more) {
     return fmt::format(
         "stm S {{ event e : {0} event f : {0} event go var x : {0} var y : {0} initial i state A {{ }} state B {{ }} "
@@ -571,8 +575,8 @@ std::string comparing(const std::string& type, const std::string& more) {
 
 constexpr auto wrong = "state machine S Wrong is reachable";
 
-/// The input `e` of a value below y exists for every y if the type has no bounds. A bit that each input chooses freely
-/// would deny the deadlock.
+/// If the type has no bounds, an input `e` below y exists for every y. The carrier is bounded, so the deadlock at its
+/// lowest value must be found: an abstraction in which each input chooses the answer freely would miss it.
 TEST(Relations, OfBoundedTypesAreNotFree) {
     const auto waiting_below = [](const std::string& type) {
         return comparing(type,
@@ -589,7 +593,7 @@ TEST(Relations, OfBoundedTypesAreNotFree) {
     EXPECT_TRUE(bounded.classes.empty());
 }
 
-/// Wrong is reached if a class is kept although an assignment changes the term.
+/// Wrong becomes reachable if the class of x > y stays the same although an assignment changes x or y.
 TEST(Relations, AreNotStaleAfterAssignments) {
     const auto after = [](const std::string& action) {
         return comparing("int",
@@ -608,7 +612,8 @@ TEST(Relations, AreNotStaleAfterAssignments) {
     EXPECT_EQ(answers_for(model.path()).verdicts.at(wrong), "holds");
 }
 
-/// A machine whose guards compare two inputs without arithmetic. Guards of inputs restrict the new value if `guarded`.
+/// Returns a random machine whose guards compare two inputs without arithmetic. If `guarded`, guards of inputs also
+/// restrict the new value.
 std::string any_relating_machine(Random& random, bool guarded) {
     const char* const relations[] = {"<", "<=", ">", ">=", "==", "!="};
     const auto condition = [&] { return fmt::format("x {} y", relations[draw(random, 0, 5)]); };
@@ -629,12 +634,13 @@ std::string any_relating_machine(Random& random, bool guarded) {
     return text + "}";
 }
 
-/// Why the carriers -7..7 give comparable answers: a control state with one of the three answers to `x REL y` is
-/// reached after at most 6 inputs (inputs are taken in A and B), and an input that gives an answer exists beside the
-/// other variable, so that no value exceeds 6. Conversely, the carriers are a part of the integers. So the reached
-/// pairs of a control state and an answer are equal, and so are all claims about them. With guarded inputs, a value at
-/// the end of a carrier may have no input that the integers have, so that a deadlock of the carriers need not be one of
-/// the integers.
+/// The carriers -7..7 give comparable answers for the following reason. Consider a control state and one of the three
+/// answers to the comparison of x with y. If both are reachable together, they are reached after at most 6 inputs,
+/// because inputs are taken in A and B. For each answer, there is an input next to the value of the other variable, so
+/// no value exceeds 6. Conversely, the carriers are a part of the integers. So the reachable pairs of a control state
+/// and an answer are equal, and so are all claims about them. With guarded inputs, a value at the end of a carrier may
+/// exclude every input of the carrier, but not every integer. So a deadlock with carriers need not be a deadlock with
+/// integers.
 TEST(Relations, GiveTheAnswersOfWideCarriers) {
     Random random(9);
     std::size_t failing = 0;
@@ -656,7 +662,7 @@ TEST(Relations, GiveTheAnswersOfWideCarriers) {
     EXPECT_GT(failing, tests::rounds(6)) << "some claims fail";
 }
 
-/// The numbers that the inputs of the counterexample to the claim receive, in order.
+/// Returns the numbers that the inputs of the counterexample to the claim receive, in order.
 std::vector<double> inputs_of_run(const std::string& model, const std::string& property) {
     const auto ran = run({"check", model, "--core", "--no-cache", "--format", "json"});
     const Json report = Json::parse(ran.out);
@@ -709,8 +715,8 @@ Answers answers_for_text(const std::string& text) {
     return answers_for(model.path());
 }
 
-/// Two conditions on one value are not free for themselves: no value is above 10 and at most 5. With a truth value for
-/// each condition, `Stuck` would be reachable.
+/// Two conditions on one value depend on each other: no value is above 10 and at most 5. If each condition had an
+/// independent truth value, `Stuck` would be reachable.
 TEST(Shortcuts, ConditionsOnOneValueDependOnEachOther) {
     const Answers found = answers_for_text(
         "stm S { event e : real event go var v : real initial i state A { } state High { } state Stuck { } "
@@ -722,8 +728,8 @@ TEST(Shortcuts, ConditionsOnOneValueDependOnEachOther) {
     EXPECT_EQ(found.verdicts.at("state machine S Stuck is reachable"), "fails") << found.text;
 }
 
-/// The least element of an empty window is undefined, so neither the condition nor its negation is true. With
-/// "undefined is false", the negation would be true and the junction would always have a way on.
+/// The least element of an empty window is undefined, so neither the condition nor its negation is true. If undefined
+/// meant false, the negation would be true, and the junction would always have an enabled transition.
 TEST(Shortcuts, UndefinedIsNotFalse) {
     const Answers found = answers_for_text(
         "import sequence_toolkit::* import set_toolkit::* import relation_toolkit::* "
@@ -735,7 +741,7 @@ TEST(Shortcuts, UndefinedIsNotFalse) {
     EXPECT_EQ(found.verdicts.at("state machine S deadlock-free"), "fails") << found.text;
 }
 
-/// A value that is only passed on by one machine is tested by another, behind an asynchronous connection.
+/// One machine only passes a value on, and another machine tests it behind an asynchronous connection.
 TEST(Shortcuts, AReaderBehindABufferDistinguishesValues) {
     const std::vector<std::pair<std::string, std::string>> files{
         {"m/m.rct",
@@ -761,7 +767,8 @@ TEST(Shortcuts, AReaderBehindABufferDistinguishesValues) {
     EXPECT_EQ(classes["y"], 2U);
 }
 
-/// A loop over data that come from outside keeps its numbers: no line says that the verdict is about all values.
+/// A loop keeps the numbers of its bound, although the bound is an input: no line says that the verdict is about all
+/// values.
 TEST(Shortcuts, ALoopBoundIsNoClass) {
     const Answers found = answers_for_text(
         "stm S { event e : nat event done var n : nat var i : nat initial j state A { } state Loop { } "
@@ -773,8 +780,8 @@ TEST(Shortcuts, ALoopBoundIsNoClass) {
     EXPECT_EQ(found.verdicts.at("state machine S divergence-free"), "holds") << found.text;
 }
 
-/// A during action changes the group between the event of a trigger and the storing of its value: after d = 1 with l =
-/// 2, `l = d` gives l = 0, so Y is reached.
+/// A during action changes l between the event of a trigger and the storing of its value in d. After d = 1 with l = 2,
+/// `l = d` sets l to the old value of d, which is 0, so Y is reached.
 TEST(Shortcuts, RelationsThatADuringActionChangesKeepTheirCarriers) {
     const Answers found = answers_for_text(
         "stm S { event a : int event go var d : int = 0 , l : int = 2 initial i "
@@ -794,8 +801,8 @@ TEST(Shortcuts, QuantifiersNeedTheValues) {
     EXPECT_EQ(found.verdicts.at("state machine S B is reachable"), "holds") << found.text;
 }
 
-/// 3 - 4 is no natural number, so the output has no value after the input 3. As an output that nothing depends on, it
-/// would hide the error.
+/// 3 - 4 is not a natural number, so the output has no value after the input 3. If the output were abstracted because
+/// nothing depends on it, the error would be hidden.
 TEST(Shortcuts, AConversionMayHaveNoValue) {
     const Answers found = answers_for_text(
         "stm S { event e : nat event out_ : nat var x : nat = 0 initial i state A { } transition t0 { from i to A } "
@@ -803,7 +810,7 @@ TEST(Shortcuts, AConversionMayHaveNoValue) {
     EXPECT_NE(found.verdicts.at("state machine S deadlock-free"), "holds") << found.text;
 }
 
-/// The expression of the reason is quoted as written, and the text names its place if a verdict rests on carriers.
+/// The report quotes the expression in the reason as written, and names its place if a verdict depends on carriers.
 TEST(Carriers, TheReportSaysWhyDataKeepThem) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -833,7 +840,7 @@ TEST(Carriers, TheReportSaysWhyDataKeepThem) {
     EXPECT_THAT(ran.out, ::testing::HasSubstr("m.rct:5)")) << ran.out;
 }
 
-/// The reason of the report for a machine with these conditions on the input x.
+/// Returns the reason in the report for a machine with these conditions on the input x.
 std::string reason_for(const std::string& type, const std::vector<std::string>& conditions) {
     std::string text = fmt::format(
         "import sequence_toolkit::* import set_toolkit::* import relation_toolkit::* "
@@ -865,7 +872,7 @@ TEST(Carriers, TheReportSaysWhichLimitKeepsThem) {
                 ::testing::HasSubstr("neither linear nor about windows of the first 4096 places"));
 }
 
-/// If a claim is inconclusive because carriers are large, the text says why data keep them.
+/// If a claim is inconclusive because carriers are too large, the text says why data keep their carriers.
 TEST(Carriers, TheReportSaysWhyTheyAreTooLarge) {
     std::string text =
         "stm S { event e : T event go var x : T initial i state A { } state B { } "
@@ -881,7 +888,7 @@ TEST(Carriers, TheReportSaysWhyTheyAreTooLarge) {
     EXPECT_THAT(ran.out, ::testing::HasSubstr("carrier      e, x: there are more than 64 conditions\n"));
 }
 
-/// Windows that no place of a sequence is in: their least number is undefined, so t2 and t4 are never taken.
+/// No place of a sequence is in these windows, so their least number is undefined, and t2 and t4 are never taken.
 TEST(Classes, OfReversedAndEmptyWindowsHaveNoNumbers) {
     for (const char* const window : {"[5, 3]", "[0, 0]", "[-3, -1]", "{}"}) {
         const testing::TemporaryFile model(
@@ -901,7 +908,7 @@ TEST(Classes, OfReversedAndEmptyWindowsHaveNoNumbers) {
     }
 }
 
-/// Types with five million numbers whose values no condition and no output needs.
+/// The types have five million numbers, but no condition and no output needs their values.
 TEST(Carriers, OfUnusedTypesAreNotListed) {
     const char* const machines[] = {
         "stm S { event e : nat event q : nat * nat var u : nat var big : nat * nat = (| 5000001, 0 |) initial i "
@@ -949,7 +956,8 @@ TEST(Classes, ASignalEndsTheSolver) {
     EXPECT_THAT(ran.out + ran.err, ::testing::HasSubstr("interrupted"));
 }
 
-/// The machine has an own variable `a` beside the shared one. If carriers are large, memories with channels hold both.
+/// The machine declares a variable `a` with the name of the shared variable. If the carriers are large, memories with
+/// channels store both variables.
 TEST(Carriers, LargeOnesOfVariablesWithOneNameHaveDifferentChannels) {
     const std::string text =
         "interface I { var a : nat }\n"
@@ -965,7 +973,7 @@ TEST(Carriers, LargeOnesOfVariablesWithOneNameHaveDifferentChannels) {
     EXPECT_EQ(run({"check", folder / "m.rct", "--core", "--concrete"}).exit, 0);
 }
 
-/// A block that mentions a channel of the shared variable means this one.
+/// If a block names a channel of the shared variable, it means the shared variable and not the machine's own one.
 TEST(Carriers, AChannelOfVariablesWithOneNameIsThatOfTheSharedOne) {
     const testing::Folder folder(
         {{"m/m.rct",
@@ -980,7 +988,7 @@ TEST(Carriers, AChannelOfVariablesWithOneNameIsThatOfTheSharedOne) {
     EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
 }
 
-/// The user has chosen these carriers.
+/// Carriers that the user has chosen need no reason.
 TEST(Carriers, ThatTheUserChoosesHaveNoReason) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -991,8 +999,8 @@ TEST(Carriers, ThatTheUserChoosesHaveNoReason) {
     EXPECT_TRUE(answers_for(model.path(), {"--range", "nat=0..3"}).kept.empty());
 }
 
-/// Literals of an enumeration may have numbers, whose carriers leave values out: an answer rests on them, or is about
-/// all values.
+/// Literals of an enumeration may carry numbers, whose carriers omit values. So an answer either states that it depends
+/// on these carriers, or is about all values.
 TEST(Carriers, OfNumbersInLiteralsArePartOfTheBasis) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -1006,9 +1014,7 @@ TEST(Carriers, OfNumbersInLiteralsArePartOfTheBasis) {
     EXPECT_TRUE(found.bounded.contains(claim) || found.free.contains(claim)) << found.text;
 }
 
-/// A claim that compares values is decided with values: the block sends what it has received, and the machine sends 1.
-/// The other claims of the model have classes. The report keeps the order of the claims.
-/// A function may have no value although it has no precondition. Here first(<>) has none.
+/// A function may have no value although it has no precondition: here first(<>) has none.
 TEST(Shortcuts, AFunctionMayHaveNoValue) {
     for (const char* const body : {"result == head(s)", "result in ran(s)"}) {
         const testing::TemporaryFile model(
@@ -1025,8 +1031,8 @@ TEST(Shortcuts, AFunctionMayHaveNoValue) {
     }
 }
 
-/// Numbers that are compared with each other may need more values than the literals and their neighbours: x > y > z > 0
-/// needs three numbers above 0.
+/// If a condition compares numbers with each other, it may need more values than the literals and their neighbours: x >
+/// y > z > 0 needs three numbers above 0.
 TEST(Carriers, AConditionOnSeveralValuesIsPartOfTheBasis) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -1041,7 +1047,7 @@ TEST(Carriers, AConditionOnSeveralValuesIsPartOfTheBasis) {
     EXPECT_TRUE(found.bounded.contains(wrong)) << found.text;
 }
 
-/// A machine that stores a value computed from an input, and is stuck in B if the condition is false.
+/// Returns a machine that stores a value computed from an input. It is stuck in B if the condition is false.
 std::string storing(const std::string& variables, const std::string& action, const std::string& condition) {
     return fmt::format(
         "stm S {{ {} initial i state A {{ }} state B {{ }} transition t0 {{ from i to A }} "
@@ -1068,7 +1074,8 @@ TEST(Shortcuts, CarriersOfInputsDoNotCoverWhatIsComputedFromThem) {
     }
 }
 
-/// A wait for an input x is short for x in 0..2. With x = 7, the deadline of 5 is missed, and since(C) < 5 is false.
+/// A wait for an input x is short for x in 0..2. With x = 7, the machine misses the deadline of 5, and since(C) < 5 is
+/// false.
 TEST(Shortcuts, CarriersOfInputsDoNotCoverTimes) {
     const std::string input = "event e : nat clock C var x : nat = 0";
     const auto is_open = [](const std::string& text, const std::string& claim) {
@@ -1084,7 +1091,7 @@ TEST(Shortcuts, CarriersOfInputsDoNotCoverTimes) {
         << "y is always 2";
 }
 
-/// With p = 1000 / 2, the operation stays in D.
+/// With x = 1000, the parameter p is 500, and the operation stays in D.
 TEST(Shortcuts, CarriersOfInputsDoNotCoverArguments) {
     const Answers found = answers_for_text(
         "interface O { op(p : int) } interface E { event e : int } operation op(p : int) { initial i state D { } final "
@@ -1098,7 +1105,8 @@ TEST(Shortcuts, CarriersOfInputsDoNotCoverArguments) {
     EXPECT_TRUE(found.verdicts.at(claim) != "holds" || found.bounded.contains(claim)) << found.text;
 }
 
-/// A value that is converted to a wider type is compared with the numbers of this type.
+/// A value that is converted to a wider type is compared with numbers of the wider type, so its carrier must contain
+/// numbers around them.
 TEST(Carriers, ContainTheNumbersThatConvertedValuesAreComparedWith) {
     const std::vector<std::string> machines{
         storing("event e : nat var x : nat = 0 var q : int = 0", "q = x", "q <= 7"),
@@ -1117,7 +1125,7 @@ TEST(Carriers, ContainTheNumbersThatConvertedValuesAreComparedWith) {
     }
 }
 
-/// A counter takes only the numbers that the machine computes. Inputs do not change them.
+/// A counter takes only the numbers that the machine computes, and inputs do not change these numbers.
 TEST(Carriers, ACounterDoesNotRestOnThem) {
     const Answers found = answers_for_text(
         "stm S { event e var n : nat = 0 initial i state A { } state B { } transition t0 { from i to A } "
@@ -1127,7 +1135,7 @@ TEST(Carriers, ACounterDoesNotRestOnThem) {
     EXPECT_FALSE(found.bounded.contains(stuck)) << found.text;
 }
 
-/// The numbers of windows are places of a sequence. Its numbers are compared with 0.5 only.
+/// The bounds of a window are indices of a sequence. The elements of the sequence are compared with 0.5 only.
 TEST(Carriers, DoNotContainTheNumbersOfWindows) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -1143,6 +1151,8 @@ TEST(Carriers, DoNotContainTheNumbersOfWindows) {
     EXPECT_THAT(concrete.out, ::testing::HasSubstr("int -2..900")) << concrete.out << concrete.err;
 }
 
+/// A claim that compares values is decided with values: the block sends what it has received, and the machine sends 1.
+/// The other claim of the model is decided with classes. The report keeps the order of the claims.
 TEST(Shortcuts, ClaimsThatObserveValuesHaveNoClasses) {
     const testing::Folder folder(
         {{"m/m.rct",
@@ -1181,8 +1191,8 @@ TEST(Carriers, OfRoboToolAreThoseOfTheOptionAndOfExportedScripts) {
 }
 
 /// `emit csp` writes a second script, in which classes of values replace the carriers. Its assertions have the answers
-/// that `check` gives to the claims. Those of the first script do not: it has RoboTool's carriers, and 21.25 is their
-/// greatest number.
+/// that `check` gives to the claims. The assertions of the first script have other answers: its carriers are
+/// RoboTool's, and 21.25 is their greatest number.
 TEST(Carriers, AScriptWithClassesHasTheAnswersOfTheModel) {
     const std::string model =
         "stm S { event e : real event stop var x : real initial i state A { } state High { } state Both { } junction k "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How `conform` explains that a model cannot run in control cycles, and its further notes, as text and as JSON.
+// Tests how `conform` explains, as text and as JSON, that a model cannot run in control cycles. Also tests its further
+// notes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,7 +40,8 @@ TEST(Explained, NotSchedulableWithCodePlaceAndRemedy) {
     EXPECT_THAT(one.at("registerCycles").at("meaning").get<std::string>(), HasSubstr("are lost"));
 }
 
-// Three cycles pass during a wait of four units. This changes neither the outcome nor the exit code.
+// Three cycles pass during a wait of four units, so events can be missed. The note on them changes neither the outcome
+// nor the exit code.
 TEST(Explained, EventsThatCanBeMissedChangeNoExitCode) {
     const TemporaryFile model("m.rct", blinks +
                                            " state C { entry wait(4) }\n transition t2 { from B to C }\n transition t3 "
@@ -59,8 +61,8 @@ TEST(Explained, EventsThatCanBeMissedChangeNoExitCode) {
     EXPECT_EQ(missed[0].at("reasons").at(0).at("places"), (nlohmann::json{"enters M::C (m.rct:6)"}));
 }
 
-// An outer state has a transition with `stop`, its inner state one with `go`: the code takes `stop` before it
-// terminates.
+// An outer state has a transition with `stop`, and its inner state has one with `go`. If both events come in one cycle,
+// the code takes `go` first and `stop` second.
 TEST(Explained, EventsThatComeSecondChangeNoExitCode) {
     const TemporaryFile model("m.rct",
                               "interface I { halt() brake() }\nstm M {\n requires I\n event go event stop\n initial i\n"

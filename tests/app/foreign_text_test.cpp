@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text from models, their CSP blocks, scripts and file names never reaches a terminal as control characters and cannot
-// forge lines of a report. Output for programs stays unchanged if it does not go to a terminal.
+// Tests that text from models, their CSP blocks, scripts and file names never reaches a terminal as control characters
+// and cannot forge lines of a report. Output for programs stays unchanged if it does not go to a terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // The name contains an escape sequence and a line end, followed by a forged verdict. The literals and the block contain
-// the same. ESC is \033; CSI as one character of Latin-1 in UTF-8 is \302\233.
+// the same text. ESC is \033. CSI as one character of Latin-1 in UTF-8 is \302\233.
 const char* const files = R"(
 name=$(printf 'm\033]0;title\007\n  holds        Forged')
 model="$name.rct"; claims="$name.assertions"
@@ -29,7 +29,7 @@ Ran run_on(const std::string& command) {
     return run_shell(std::string(files) + command);
 }
 
-/// Control characters of ASCII and Latin-1; line ends and tabs are allowed.
+/// Returns true if the text contains control characters of ASCII or Latin-1 other than line ends and tabs.
 bool has_controls(const std::string& text) {
     const bool ascii = std::ranges::any_of(
         text, [](char c) { return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == 0x7F; });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `format` as people and CI servers run it: files that are written, files that stay unchanged, exit codes, and
-// diffs.
+// Tests the verb `format`: files that are written, files that stay unchanged, exit codes, and diffs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -166,7 +165,7 @@ TEST(UnifiedDiff, JoinsNearChangesAndSeparatesFarOnes) {
               "@@\n 5\n 6\n 7\n-c\n+C\n");
 }
 
-/// Computes the new text from the old text and a diff, as `patch` does.
+/// Applies the diff to the old text and returns the new text, as `patch` does.
 std::string patched(const std::string& before, const std::string& diff) {
     std::vector<std::string> old_lines;
     std::istringstream text(before);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that reaches a limit or is interrupted still answers in the requested format: one complete document that says
-// that the answer is unknown and why, with exit code 3. The test covers every verb and every machine-readable format.
+// Tests that a run that reaches a limit or is interrupted still answers in the requested format. The answer is one
+// complete document, which says that the answer is unknown and why, and the exit code is 3. The test covers every verb
+// and every machine-readable format.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ void PrintTo(const Form& form, std::ostream* out) {
     *out << form.name;
 }
 
-/// The document's statement about the limit; "" if it contains none.
+/// Returns the document's statement about the limit, or "" if it contains none.
 std::string limit_of(const json& document, const std::string& schema) {
     if (schema == "sarif") {
         const json& invocation = document.at("runs").at(0).at("invocations").at(0);
@@ -51,7 +52,7 @@ void expect_whole(const Ran& ran, const Form& form, const std::string& why) {
     EXPECT_EQ(document.value("exit", 3), 3);
 }
 
-/// A shell command that runs `form` in a folder with its inputs.
+/// Returns a shell command that runs `form` in a folder with its inputs.
 std::string with_inputs(const Form& form, const std::string& more) {
     return "corpus='" + repository("corpus") + "'\ncat > m.rct <<'END'\n" + std::string(machine) +
            "END\ncat > m.assertions <<'END'\nassertion A : S is deadlock-free\nEND\n"
@@ -85,7 +86,8 @@ const Form forms[] = {
 
 class Formats : public ::testing::TestWithParam<Form> {};
 
-/// A verb that starts by reading the model may report in either of its two documents.
+/// Returns the form with the schema of its document. A verb that starts by reading the model may report in either of
+/// two documents.
 Form with_its_schema(Form form, const Ran& ran) {
     const json document = json::parse(ran.out, nullptr, false);
     static const std::string other = "robochart-verify/traces/1";
@@ -121,7 +123,7 @@ TEST(FormatsAtALimitOfStates, AreWhole) {
     }
 }
 
-/// Each frame is one document on one line.
+/// Each frame is one complete document on one line.
 TEST(FormatsInFrames, AreWholeEach) {
     const Ran ran = run_shell(with_inputs({"", "cspm --format framed_json s.csp", ""}, "--timeout 0.000001"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
@@ -132,7 +134,8 @@ TEST(FormatsInFrames, AreWholeEach) {
     EXPECT_GT(frames, 0U);
 }
 
-/// A model of so many machines that parsing takes a while.
+/// Returns shell commands that interrupt the command while it reads a model. The model has so many machines that
+/// parsing takes a while.
 std::string interrupted(const std::string& command) {
     return "awk 'BEGIN { for (i = 0; i < 60000; ++i) printf \"stm S%d { initial i state A { } state B { } transition t "
            "{ from i to A } "

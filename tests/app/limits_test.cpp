@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits and signals in every phase: a run that would take hours or all memory ends soon, with exit code 3 and a report
-// of the partial results, and removes its temporary files. The time bounds are generous, because these tests detect
-// runs that hang.
+// Tests limits and signals in every phase. A run that would take hours or all memory ends soon, with exit code 3 and a
+// report of the partial results, and removes its temporary files. The time bounds are generous, because these tests
+// detect runs that hang.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -18,7 +18,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Each record has two fields of the next type: a value has 2^levels parts.
+/// Returns record types, each with two fields of the next type, so that a value has 2^levels parts.
 std::string doubling_records(int levels) {
     std::string text;
     for (int i = 0; i < levels; ++i)
@@ -30,7 +30,7 @@ std::string doubling_records(int levels) {
            " transition t1 { from A to A trigger e ? v }\n}\n";
 }
 
-/// A condition that quantifies over 3^17 values.
+/// Returns a condition that quantifies over 3^17 values.
 std::string large_quantifier() {
     std::string names;
     for (char c = 'a'; c <= 'q'; ++c) names += std::string(c == 'a' ? "" : ", ") + c + c + " : nat";
@@ -38,7 +38,7 @@ std::string large_quantifier() {
            " @ aa + bb >= 0 }\n}\n";
 }
 
-/// Parallel machines with two states each in one controller: 2^count states.
+/// Returns a controller with parallel machines of two states each, which together have 2^count states.
 std::string many_machines(int count) {
     std::string text;
     std::string refs;
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(LimitedPhases, HardWork,
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
-    // Ten assertions, each of which alone would need all of its two seconds.
+    // Each of the ten assertions alone would need all of its two seconds.
     std::string claims;
     for (int i = 0; i < 10; ++i) claims += "assertion A" + std::to_string(i) + " : C is deterministic\n";
     const Hard hard{"", many_machines(30), "check"};
@@ -144,8 +144,8 @@ TEST(RunLimits, WhatWasKnownBeforeIsReported) {
     EXPECT_THAT(ran.out, AllOf(HasSubstr("holds        First"), HasSubstr("inconclusive Second")));
 }
 
-// The system's limit of processor time sends SIGXCPU, and repeats it each second. The run ends in an orderly way, and
-// only once.
+// The system's limit of processor time sends SIGXCPU, and repeats it each second. The run ends in an orderly way,
+// although the signal comes again.
 TEST(RunLimits, OfTheSystemsProcessorTimeEndItInOrder) {
     const Ran ran = run_shell("cat > m.rct <<'END'\n" + many_machines(40) +
                               "END\n mkdir tmp; export TMPDIR=$PWD/tmp\n ulimit -S -t 1; timeout -s KILL 60 "

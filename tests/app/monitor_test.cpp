@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors of controllers that a generator with a seeded fault produced: the trial stops at the first event that the
-// model does not allow, and the report names its element.
+// Tests monitors with controllers that a generator with a seeded fault produced. The trial stops at the first event
+// that the model does not allow, and the report names the event's element.
 #include "app/verbs/monitor.hpp"
 
 #include <gmock/gmock.h>
@@ -29,7 +29,8 @@ public:
         EXPECT_NE(guard_, nullptr);
     }
 
-    /// Runs one trial with the controller of a generator with this fault; returns the stop, if any.
+    /// Runs one trial with the controller of a generator with this fault. Returns why the trial stopped, or nullopt if
+    /// it did not.
     std::optional<simulation::Stop> run(cpp_emit::Fault fault, std::uint32_t site) {
         driver::Project& project = *simulation_->project;
         cpp_emit::Options generator;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several models in one folder, assertions of other tools, and evaluation errors, as a user runs `check`.
+// Tests `check` with several models in one folder, assertions of other tools, and evaluation errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using ::testing::Not;
 using testing::run;
 using testing::TemporaryFile;
 
-/// The lines of a report that contain verdicts.
+/// Returns the lines of a report that contain verdicts.
 std::string verdicts(const std::string& out) {
     std::istringstream lines(out);
     std::string line, result;
@@ -124,7 +124,7 @@ TEST(Project, IsRefusedWhereAScriptWouldBeWrong) {
               0);
 }
 
-// The division is in a function of the library; the error has the place of the expression in the model.
+// The division is in a function of the library. The error has the place of the expression in the model.
 TEST(Evaluation, OfADivisionByZeroNamesPlaceAndElement) {
     const Folder folder({{"m.rct",
                           "stm S { event e : nat event o : nat var x : nat\n"
@@ -137,7 +137,7 @@ TEST(Evaluation, OfADivisionByZeroNamesPlaceAndElement) {
     EXPECT_THAT(ran.out, HasSubstr("m.rct:4: division by zero, in S::t"));
 }
 
-/// Two packages with a controller of the same name; the second controller has an event.
+/// Returns two packages with a controller of the same name. The second controller has an event.
 Folder same_names() {
     return Folder(
         {{"a.rct",
@@ -160,12 +160,12 @@ TEST(Project, FilesOfComponentsOfOneNameDoNotReplaceEachOther) {
     for (auto [verb, files] : verbs) {
         verb.insert(verb.end(), {"--out", folder.path("out"), folder.path()});
         const auto ran = run(verb);
-        // State A of the first package has no outgoing transition, so the core property of deadlock freedom fails.
+        // State A of the first package has no outgoing transition, so the first controller is not deadlock free.
         EXPECT_EQ(ran.exit, verb.front() == "verify" ? 1 : 0) << ran.out << ran.err;
         for (const std::string& file : files) EXPECT_TRUE(fs::exists(folder.path("out/" + file))) << file;
         fs::remove_all(folder.path("out"));
     }
-    // The name does not depend on other selected components.
+    // The component's name in the output does not depend on the other selected components.
     EXPECT_EQ(run({"emit", "cpp", "--component", "b::C", "--out", folder.path("out"), folder.path()}).exit, 0);
     EXPECT_TRUE(fs::exists(folder.path("out/cpp/b/C/S.hpp")));
 }
@@ -180,7 +180,7 @@ TEST(Project, NothingIsWrittenTwiceInARun) {
     EXPECT_THAT(ran.err, HasSubstr("this run has already written a file of this name"));
 }
 
-/// A module `Mo` whose machine `S` counts how often it gets an event.
+/// Returns a module `Mo` whose machine `S` counts how often it receives an event.
 std::string counter(const std::string& next) {
     return "interface I { event ask event reported : nat }\n"
            "module Mo { robotic platform P { uses I } cref c = C connection P on ask to c on ask (_async)\n"
@@ -277,7 +277,7 @@ TEST(Project, WithErrorsDoesNotStopTheOthers) {
     EXPECT_EQ(nlohmann::json::parse(valid.out)["errors"], 1);
 }
 
-// Tosses of a fair coin: heads after four steps of RoboTool's chain with probability 0.5.
+// The model tosses a fair coin. In RoboTool's chain, heads comes after four steps with probability 0.5.
 TEST(Project, ProbabilisticClaimsAreAnsweredByRandomPaths) {
     const Folder folder(
         {{"m.rct",

@@ -35,7 +35,7 @@ void PrintTo(const Phase& phase, std::ostream* out) {
 
 class Phases : public ::testing::TestWithParam<Phase> {};
 
-/// Runs in the folder of the models, because reports name files as the command line does.
+/// Runs the command in the folder of the models, because reports name files as the command line does.
 testing::Ran run_beside_the_models(const std::string& arguments) {
     return testing::run_shell("cp '" + testing::repository("tests/app/phases") + "'/gate.* . && \"$verify\" " +
                               arguments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The basis of answers to probabilistic assertions: bounds of the finite instantiation for each set of constants,
+// Tests the basis of answers to probabilistic assertions: bounds of the finite instantiation for each set of constants,
 // constants without a given value, and random paths.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// From A, a toss adds `step` to x, or leads to B. nat is 0..2, so 2 + 2 is not in it.
+/// From A, a toss either adds `step` to x or leads to B. nat is 0..2, so 2 + 2 is not in it.
 constexpr const char* walk =
     "stm Walk { const step : nat event go var x : nat = 0 initial i state A { } state B { } probabilistic p\n"
     "transition t0 { from i to A } transition t1 { from A to p trigger go }\n"
@@ -24,7 +24,7 @@ constexpr const char* walk =
 
 class ProbabilityBasis : public ::testing::Test {
 protected:
-    /// The basis of the claims, in their order.
+    /// Returns the basis of each claim, in the order of the claims.
     static std::vector<nlohmann::json> basis(const std::string& claims, std::vector<std::string> options = {},
                                              const char* model = walk) {
         const Folder folder({{"m.rct", model}, {"m.assertions", "label done = Walk is in Walk::B\n" + claims}});
@@ -45,7 +45,7 @@ protected:
     }
 };
 
-// With step 0, x stays 0; with step 1 and 2, the sum leaves 0..2 after two tosses.
+// With step 0, x stays 0. With steps 1 and 2, the sum leaves 0..2 after two tosses.
 TEST_F(ProbabilityBasis, NamesTheBoundsOfEachSetOfConstants) {
     const auto found = basis(
         "prob property P : Prob=? of [Finally <=3 #done] with constants Walk::step from set {0, 2}\n"
@@ -85,7 +85,7 @@ TEST_F(ProbabilityBasis, NamesRandomPaths) {
     EXPECT_THAT(texts(found[1], "sampling"), IsEmpty());
 }
 
-// The file is read even if no claim needs it.
+// The command reads the file of preferences even if no claim needs it.
 TEST_F(ProbabilityBasis, PreferencesThatCannotBeReadAreAnError) {
     const Folder folder{{{"m.rct", walk}}};
     const Ran ran = run({"check", folder.path(), "--prefs", folder / "missing.prefs"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `emit cpp --target` as a user runs it: the folders of the projects, files that are kept, inputs that are
-// rejected. tests/cpp_emit/project_test.cpp tests the contents of the projects.
+// Tests the verb `emit cpp --target`: the folders of the projects, files that are kept, inputs that are rejected.
+// tests/cpp_emit/project_test.cpp tests the contents of the projects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +63,8 @@ TEST(EmitCppTarget, RefusesByName) {
     EXPECT_THAT(unknown.err, HasSubstr("arduino"));
 }
 
-/// A capacity is a number from 1 to 65536 for an event or variable with lists. Without one, a note names the event.
+/// A capacity is a number from 1 to 65536 for an event or variable with lists. If an event has no capacity, a note
+/// names it.
 TEST(EmitCppCapacity, IsCheckedAndUsed) {
     const TemporaryFile model("m.rct",
                               "stm M { event found : Seq(nat) event stop event last : Seq(nat) var s : Seq(nat)\n"
@@ -121,7 +122,7 @@ TEST_F(EmitCppMapping, WritesThePackageOfItsComponent) {
     EXPECT_FALSE(fs::exists(folder_.path() + "/ros2/N"));
 }
 
-/// A second run writes all files again, but for those in `own`.
+/// A second run writes all files again, except those in the folder `own`.
 TEST_F(EmitCppMapping, KeepsTheUsersFiles) {
     const std::vector<std::string> words{"--target",     "ros2",          "--license",         "Apache-2.0",
                                          "--maintainer", "Ada <a@b.org>", "--package-version", "1.2.3"};

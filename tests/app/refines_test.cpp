@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `cspm` as users of FDR's `refines` see it: its JSON, its plain text, limits, progress, exports.
+// Tests the verb `cspm` as users of FDR's `refines` see it: its JSON, its plain text, limits, progress, exports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -71,7 +71,7 @@ TEST(Refines, ResultsAreNumbersAsWorded) {
     EXPECT_EQ(object["file_name"], script.path());
     std::vector<Json> results;
     for (const Json& result : object["results"]) results.push_back(result["result"]);
-    // T: after a and the hidden h, b and c are possible in any order; SPEC allows one of them and then a again.
+    // In T, b and c are possible in any order after a and the hidden h. SPEC allows one of them and then a again.
     EXPECT_THAT(results, ElementsAre(0, 0, 0, 1, 1, 0));
     EXPECT_EQ(object["results"][4]["is_negated"], 1);
     EXPECT_EQ(object["results"][0]["assertion_string"], "SPEC [T= SYSTEM");
@@ -80,8 +80,8 @@ TEST(Refines, ResultsAreNumbersAsWorded) {
     EXPECT_EQ(object["event_map"]["2"], "✓");
 }
 
-// Components that take no step, next to one that does, in every format. A compressed component has its own trace, so
-// the last event of the whole is not one of its events.
+// Some components take no step, and another component does. The test compares every format. A compressed component has
+// its own trace, so the last event of the whole is not one of its events.
 TEST(Refines, PartsThatTakeNoStepAreReported) {
     const TemporaryFile script("idle.csp", R"(transparent normal, sbisim
 channel a, b
@@ -115,7 +115,7 @@ assert sbisim(b -> STOP) ||| (normal(D) \ {a}) :[divergence free]
     }
 }
 
-// Inputs on which earlier versions hung: each run ends by its limit, with its partial results.
+// Earlier versions hung on these inputs. Each run must end by its limit, with its partial results.
 TEST(Refines, LimitsEndEveryPhase) {
     const TemporaryFile prints("prints.csp", R"(print 1 + 1
 print card({(x, y, z) | x <- {0..200}, y <- {0..200}, z <- {0..100}})
@@ -184,7 +184,7 @@ TEST(Refines, FailuresLoopsAndDeadlocksHaveTheirFields) {
     EXPECT_EQ(object["results"][5]["counterexamples"][0]["type"], "determinism");
 }
 
-// Before the hidden h, l is accepted; after h it is refused.
+// Before the hidden h, the process accepts l. After h, it refuses l.
 TEST(Refines, DeterminismIsShownByTwoRuns) {
     const TemporaryFile script("leak.csp", R"(channel h, l
 Leak = (h -> STOP [] l -> STOP) \ {h}
@@ -202,7 +202,8 @@ assert Leak :[deterministic [F]]
     EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("Accepted: <l>\n"));
 }
 
-// A process that can terminate may do so by itself: its minimal acceptance is {✓}, whatever else it offers.
+// A process that can terminate may do so without its environment, so its minimal acceptance is {✓}, whatever else it
+// offers.
 TEST(Refines, TheLeastAcceptanceOfWhatCanTerminate) {
     const TemporaryFile script("tick.csp", "channel a\nassert SKIP [] a -> STOP :[deterministic [F]]\n");
     const Json object = refines(script.path());
@@ -211,7 +212,8 @@ TEST(Refines, TheLeastAcceptanceOfWhatCanTerminate) {
     EXPECT_THAT(run({"cspm", script.path()}).out, HasSubstr("then refuses a: the state offers {✓}"));
 }
 
-// A specification whose taus never end has no stable failures: in F no implementation with a stable state refines it.
+// A specification that performs taus forever has no stable failures. In the failures model, no implementation with a
+// stable state refines it.
 TEST(Refines, ASpecificationWithoutStableStates) {
     const TemporaryFile script("restless.csp", R"(channel a, h
 Restless = (h -> Restless0) \ {h}
@@ -229,7 +231,7 @@ assert STOP [T= a -> STOP
     EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("Allowed: no stable state\n"));
 }
 
-// A `print` that fails is an error of the script; assertions are decided all the same.
+// A `print` that fails is an error of the script. The assertions are still decided.
 TEST(Refines, APrintThatFailsIsSaid) {
     const TemporaryFile script("prints.csp", "print 1 / 0\nassert STOP [T= STOP\n");
     const Ran ran = run({"cspm", script.path()});
@@ -248,7 +250,8 @@ TEST(Refines, FaultsArePlacedWhereTheyAre) {
     EXPECT_THAT(run({"cspm", open.path()}).err, HasSubstr("open.csp:2:"));
 }
 
-// Calls that differ only in an argument that is never read are one process. A counterexample still shows the values.
+// Calls that differ only in an argument that is never read denote the same process. A counterexample still shows the
+// values of the argument.
 TEST(Refines, ArgumentsThatNothingReadsAreShown) {
     const TemporaryFile script("unread.csp", R"(channel a, b : {0..1}
 P(i, c, x) = a.x -> Done(i, c)
@@ -265,8 +268,8 @@ assert (P(7, 'x', 0) \ {|a, b|}) :[divergence free]
     EXPECT_THAT(looping, AllOf(HasSubstr("Done(_,_)"), Not(HasSubstr("'_'"))));
 }
 
-// Every process refines a specification that diverges immediately in FD, but it has to be a process: an implementation
-// that cannot be evaluated is an error.
+// In the failures-divergences model, every process refines a specification that diverges immediately. But the
+// implementation must be a process, so it is an error if it cannot be evaluated.
 TEST(Refines, WhatCannotBeEvaluatedRefinesNothing) {
     const TemporaryFile script("diverging.csp", R"(channel a : {1, 2}
 L = a.1 -> L
@@ -279,8 +282,8 @@ assert Spec [FD= a.2 -> a.3 -> STOP
     EXPECT_THAT(ran.out, AllOf(HasSubstr("a.3"), HasSubstr("1 of 2 checks hold, 1 cannot be evaluated")));
 }
 
-// Fifty events in any order: 1, 50 and 1,225 states are 0, 1 and 2 steps away. A limit of 3,000 states stops the search
-// within the next level.
+// The process performs fifty events in any order, so 1, 50 and 1,225 states are 0, 1 and 2 steps away. A limit of 3,000
+// states stops the search within the next level.
 TEST(Refines, ALimitSaysWhatIsKnown) {
     const TemporaryFile script("many.csp", R"(channel a : {0..49}
 S = ||| i : {0..49} @ a.i -> STOP
@@ -320,7 +323,7 @@ TEST(Refines, OneThatIsNotDecidedDoesNotKeepTheOthersFromTheirAnswers) {
     EXPECT_EQ(results[2]["counterexamples"].size(), 1U);
 }
 
-// A ring of hidden events in which each part waits for the one before it, and a visible event of each.
+// A ring of hidden events in which each process waits for the one before it. Each process also has a visible event.
 TEST(Refines, AnAnswerWithoutASearchSaysWhy) {
     const TemporaryFile script("ring.csp", R"(channel turn, work : {0..19}
 Part(i) = turn.i -> work.i -> turn.((i + 1) % 20) -> Part(i)
@@ -369,7 +372,7 @@ TEST(Refines, OneThatReachesTheMemoryLimitDoesNotEndTheOthers) {
                                HasSubstr("1 of 3 checks hold, 1 fail, 1 inconclusive")));
 }
 
-// The memory of the script's session (terms and values) is freed as well.
+// The memory of the script's session (its terms and values) is freed as well.
 TEST(Refines, NeitherDoesOneWhoseTermsReachIt) {
     const TemporaryFile script("longer.csp", R"(channel a : {0..99}
 N(s) = a?x -> N(s ^ <x>)
@@ -382,7 +385,7 @@ assert Small :[deadlock free]
     EXPECT_THAT(ran.out, HasSubstr("1 of 2 checks hold, 1 inconclusive"));
 }
 
-// P can perform the hidden `a` forever, so the failures model contains no refusals of this state.
+// P can perform the hidden `a` forever, so the failures model records no refusals in this state.
 TEST(Refines, WhatTheFailuresModelDoesNotLookAtIsSaid) {
     const TemporaryFile script("restless.csp", R"(channel a, b
 P = a -> P [] b -> P
@@ -406,7 +409,7 @@ assert RUN({a,b}) [F= P
     EXPECT_THAT(run({"cspm", script.path()}).out, HasSubstr("rests on: it can go on internally for ever"));
 }
 
-// Only one search at a time can store its states in files, so the following claims wait for it.
+// Only one search at a time can store its states in files, so the claims after it have to wait.
 TEST(Refines, WhatWasNotBegunIsSaid) {
     const TemporaryFile script("large.csp", too_large);
     const Folder folder;
@@ -424,7 +427,7 @@ TEST(Refines, AScriptThatOnlyPrintsHasAFrame) {
     EXPECT_EQ(frames[0]["print_statement_results"][0]["result"], "3");
 }
 
-/// Collects the names of all fields in a JSON value, with the path to each.
+/// Collects the names of all fields in a JSON value, with the path to each field.
 void collect_fields(const Json& value, const std::string& above, std::set<std::string>& out) {
     if (value.is_array())
         for (const Json& element : value) collect_fields(element, above, out);
@@ -436,7 +439,7 @@ void collect_fields(const Json& value, const std::string& above, std::set<std::s
     }
 }
 
-/// The recorded file is a concatenation of FDR's objects; each one follows a "results":.
+/// Reads a recorded file of FDR, which is a concatenation of JSON objects. Each object follows a "results":.
 std::vector<Json> recorded_objects(const std::string& text) {
     std::vector<Json> result;
     const std::string mark = "\"results\": { \"copyright_notice\"";
@@ -564,7 +567,7 @@ TEST(Limits, AreInconclusiveWithFigures) {
 // A sequential process with 10^8 states: all the time goes into compilation.
 constexpr const char* endless =
     "channel a, b\nP(n) = a -> P(n+1) [] b -> P(n+2)\nassert P(0) ||| P(1) :[deadlock free [F]]\n";
-// Only evaluation takes time.
+// Only the evaluation of this script takes time.
 constexpr const char* thinking =
     "f(n) = if n == 0 then 0 else f(n-1)\ng(n) = if n == 0 then 0 else g(n-1) + f(150)\n"
     "h(n) = if n == 0 then 0 else h(n-1) + g(150)\nk(n) = if n == 0 then 0 else k(n-1) + h(150)\n"
@@ -672,7 +675,7 @@ TEST(Progress, TheLineFitsTheTerminal) {
               "compiling 4 s: component 3 of 12, 2.00 M states, 100 MiB, 20 B/state, P(1) ‖ ");
 }
 
-/// Logs get one line for every 30 seconds of a phase; the next phase starts its own count.
+/// Logs get one line for every 30 seconds of a phase. The next phase counts its seconds from zero.
 TEST(Progress, LogsHaveALineNowAndThen) {
     ProgressLog log("A [timed] S\nx");
     refine::Progress progress;

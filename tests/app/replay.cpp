@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See replay.hpp. This code parses descriptions of states independently of the code under test. The two share only the
-// names that the generator of scripts records.
+// Parses descriptions of states independently of the code under test. The two share only the names that the generator
+// of scripts records.
 #include "tests/app/replay.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ std::vector<std::string> apart(const std::string& text, const std::string& separ
     return parts;
 }
 
-/// A raw event: "τ(a.1)" is a hidden event.
+/// A raw event, which is hidden if its text has the form "τ(a.1)".
 struct Raw {
     bool hidden = false;
     std::string name;
@@ -58,7 +58,8 @@ Raw raw_event(const std::string& text) {
     return {true, text.substr(tau.size() + 1, text.size() - tau.size() - 2)};
 }
 
-/// The script prints plain numbers and truth values as the model does, unless classes replace values of the type.
+/// Returns true if the script prints the value as the model does. It does so for numbers and truth values, unless
+/// classes replace the values of the type.
 bool is_plain(const ir::System& system, const json& value) {
     const std::string type = value.value("type", "");
     const bool replaced = std::ranges::find(system.types, type, &ir::Type::values_of) != system.types.end();
@@ -71,7 +72,7 @@ public:
            const csp_emit::Obligation& obligation, const json& run, Replayed& sum)
         : system_(system), emission_(emission), session_(session), obligation_(obligation), run_(run), sum_(sum) {}
 
-    /// Replays the run on the process of this assertion; returns the mismatches.
+    /// Replays the run on the process of this assertion. Returns the mismatches.
     std::vector<std::string> against(const cspm::ExprPtr& process);
 
 private:
@@ -111,7 +112,7 @@ private:
     std::vector<std::string> faults_;
 };
 
-/// In runs, copies of a machine that observe it have the machine's name.
+/// Returns the name of the component in runs. Copies of a machine that observe it have the machine's name there.
 std::string Replay::claimed(const std::string& component) const {
     if (!component.starts_with("OFW_") && !component.starts_with("CLW_")) return component;
     const std::string& title = obligation_.component;
@@ -119,7 +120,7 @@ std::string Replay::claimed(const std::string& component) const {
                                              : ir::qualified_name(system_.properties[obligation_.property].subject);
 }
 
-/// The meaning of an event, whose name may end in values; null if it has none.
+/// Returns the meaning of an event, whose name may end in values, or null if it has none.
 const csp_emit::EventMeaning* Replay::meaning_of(std::string name) const {
     for (;;) {
         const auto found = emission_.provenance.events.find(name);
@@ -141,12 +142,13 @@ Replay::States Replay::perform(const States& from, const Raw& event) {
     return result;
 }
 
-/// The calls in a description; first definitions are expanded.
+/// Returns the calls in the description of the term, after the first definitions have been expanded.
 std::vector<std::string> Replay::calls_of(TermId term) {
     return apart(process::describe(session_.terms(), session_.terms().unfold_calls(term, 20)), "‖");
 }
 
-/// The machine has not moved: the description shows an enclosing process, or a call in front of its first definition.
+/// Returns true if the machine has not moved. The description then shows an enclosing process, or a call that precedes
+/// the machine's first definition.
 bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>& calls) const {
     const std::string component = machine["component"].get<std::string>() + "::";
     const bool initial = std::any_of(run_["initial"].begin(), run_["initial"].end(),
@@ -159,7 +161,7 @@ bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>&
     });
 }
 
-/// A component inside a compression (O__) has steps that the whole does not show.
+/// Adds the components inside a compression (O__). Their steps are not steps of the whole process.
 void Replay::note_compressed(TermId state) {
     for (const std::string& call : calls_of(state)) {
         const std::string name = call.substr(0, call.find('('));
@@ -209,26 +211,26 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
     });
 }
 
-/// Whether the list contains every machine of the script's state.
+/// Returns true if the list contains every machine of the script's state.
 bool Replay::complete(const json& machines, const std::vector<std::string>& calls) const {
     return std::ranges::all_of(calls, [&](const std::string& call) {
         const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
         if (found == emission_.provenance.definitions.end()) return true;
-        // Only control processes show that a machine is active: memories may outlive their machine.
+        // Only control processes show that a machine is active: the memory of a machine may outlive the machine.
         if (found->second.memory) return true;
         return std::ranges::any_of(
             machines, [&](const json& machine) { return machine["component"] == claimed(found->second.component); });
     });
 }
 
-/// Keeps the states in which the machines are where the JSON says.
+/// Keeps only the states in which the machines are where the JSON says.
 void Replay::machines_of(const json& machines, States& states) {
     std::string seen;
     const auto wrong = [&](TermId state) {
         const auto calls = calls_of(state);
         seen = process::describe(session_.terms(), state);
         // The description of the whole shows no state for machines inside a compression. Before an internal choice is
-        // resolved, a machine is in no state.
+        // resolved, a machine is not in any state.
         const bool compressed = seen.find(" state ") != std::string::npos || seen.find("bisim(") != std::string::npos ||
                                 seen.find("…") != std::string::npos || seen.find("⊓") != std::string::npos;
         if (compressed) return false;
@@ -259,7 +261,8 @@ void Replay::values_of(const json& step, const std::string& name) {
     if (!there) fault(name + " has not the values " + step["values"].dump());
 }
 
-/// Whether the states make this offer: a transition is compared by its own hidden event, other offers by their values.
+/// Returns true if one of the states makes this offer. A transition is compared by its own hidden event, other offers
+/// by their values.
 bool Replay::offered(const json& offer, const States& states) {
     std::set<std::string> keys;
     for (const auto& [key, meaning] : emission_.provenance.events)
@@ -313,7 +316,7 @@ void Replay::step(const json& step, States& states) {
     const bool passes = step["kind"] == "tock";
     if (passes != (units > 0)) fault("time passes or not in step " + step["n"].dump() + ": " + step["text"].dump());
     if (passes && step["units"] != units) fault("units of step " + step["n"].dump());
-    // A step inside a compression is not a step of the whole.
+    // A step inside a compression has no raw event, so the whole process does not move.
     if (count > 0) machines_of(step["machines"], states);
 }
 
@@ -361,7 +364,8 @@ std::vector<std::string> Replay::against(const cspm::ExprPtr& process) {
     return faults_;
 }
 
-/// One of the obligation's assertions has failed; the run is a run of its process.
+/// Replays the run on the process of each assertion of the obligation, because the run is a run of the assertion that
+/// has failed. Returns no mismatches if one of the processes has this run.
 std::vector<std::string> replay_one(const ir::System& system, const csp_emit::Emission& emission,
                                     cspm::Session& session, const csp_emit::Obligation& obligation, const json& run,
                                     Replayed& sum) {
@@ -412,7 +416,7 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) tr
     set_verb(options, Verb::check);
     options.load.inputs = inputs;
     options.claims.core = core;
-    // Long runs show no further kinds of steps.
+    // Longer runs show no further kinds of steps.
     options.limits.timeout_seconds = 2;
     options.limits.max_states = 20'000;
     Run whole(options);
@@ -436,7 +440,7 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) tr
         replay_time(*project, options, time, parsed, in_carriers(*project, true), sum);
     }
 } catch (const diagnostics::LimitReached&) {
-    // The counterexamples that were compared before the limit count.
+    // Keeps the counterexamples that were compared before the limit.
 }
 
 }  // namespace robochart::app::testing

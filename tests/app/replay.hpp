@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays every counterexample of a report from its JSON alone, step by step in the operational semantics of the
-// script, and compares times, values, active states, variables and offers.
+// Replays every counterexample of a report step by step in the operational semantics of the script, and compares times,
+// values, active states, variables and offers. The JSON of the report is the only input.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ struct Replayed {
     std::vector<std::string> faults;             ///< mismatches between the JSON and the script
 };
 
-/// Checks the model in both times (`core`: also the generated assertions), and replays the counterexamples. Adds to
-/// `sum`.
+/// Checks the model in the untimed and the timed semantics, and replays the counterexamples. With `core`, checks the
+/// generated assertions too. Adds the counts to `sum`.
 void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum);
 
 }  // namespace robochart::app::testing

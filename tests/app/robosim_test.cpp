@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim components in the verbs, as a user runs them: each verb handles them or says that it does not.
+// Tests the verbs with RoboSim components. Each verb handles them or says that it does not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ interface Button { event pressed }
 interface Light { lit(bright : boolean) }
 )";
 
-/// On for one cycle after the button was pressed. Off is entered anew in every cycle.
+/// Returns a lamp that is on for one cycle after the button was pressed. It enters Off again in every cycle.
 std::string lamp(const std::string& cycle) {
     return std::string(interfaces) + R"(
 stm Lamp {
@@ -82,7 +82,7 @@ TEST(RoboSimVerbs, ComponentsOfBothNotationsAreKeptApart) {
     EXPECT_THAT(chosen.out, HasSubstr("cycle 1   in {pressed}  out <lit(false)>"));
 }
 
-/// A part that has only RoboSim does not make the command fail that is about another part.
+/// A command for RoboChart does not fail if another part has only RoboSim.
 TEST(RoboSimVerbs, APartWithoutRoboChartIsLeftOutByCommandsForRoboChart) {
     const Folder folder({{"lamp.rst", lamp("1")},
                          {"other.rct",
@@ -236,7 +236,7 @@ const char* const scenario = R"(scenario Blink for Lamp {
 }
 )";
 
-/// The model accepts the logs of the robots, but rejects those of robots whose lamp works the other way round.
+/// The model accepts the logs of its own robots, but rejects those of robots whose lamp is on when it should be off.
 TEST(RoboSimVerbs, RobotsOfAScenarioRunInCycles) {
     const Folder folder({{"lamp.rst", lamp("2")}, {"blink.scenario", scenario}});
     const Ran ran =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exit code and the last line of a report about rules, for answers that are hard to obtain from a small file.
+// Tests the exit code and the last line of a report about rules, for answers that are hard to obtain from a small file.
 #include "app/report/rules_report.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ RulesReport two_rules() {
     return report;
 }
 
-/// docs/rules-language.md: redundancies do not affect the exit code, and a question that is not decided gives 3.
+/// docs/rules-language.md: redundancies do not affect the exit code, and an undecided question gives 3.
 TEST(RulesReport, OnlyUndecidedRedundanciesAffectTheExitCode) {
     RulesReport report = two_rules();
     EXPECT_EQ(exit_of(report), Exit::success);

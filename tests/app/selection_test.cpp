@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Empty selections, empty inputs, unknown names and numbers out of range: each has a message and its own exit code. A
-// script can thus distinguish "nothing was checked" from "all checks hold".
+// Tests empty selections, empty inputs, unknown names and numbers out of range. Each case has a message and its own
+// exit code, so a script can distinguish "nothing was checked" from "all checks hold".
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ void PrintTo(const Row& row, std::ostream* out) {
     *out << row.name;
 }
 
-// A folder with a model with two assertions, a model without assertions, a model without machines, a script with an
-// assertion and one without, an empty folder, and pipes without a writer.
+// Commands that make a model with two assertions, a model without assertions, a model without machines, a script with
+// an assertion, a script without one, an empty folder, and pipes without a writer.
 constexpr const char* files = R"(
 mkdir claimed plain types empty logs
 echo 'stm Walker { event e const speed : nat initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger e } }' > claimed/m.rct

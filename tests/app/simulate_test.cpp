@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `simulate` as a user runs it: outcomes, formats, files.
+// Tests the verb `simulate`: outcomes, formats, files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -104,7 +104,8 @@ TEST(Simulate, WhatCannotBeWrittenIsAnErrorReportedOnce) {
     EXPECT_TRUE(nlohmann::json::accept(json.out)) << json.out;
 }
 
-/// The interrupt comes while the controller is built (its folder is then removed) or during the trials.
+/// The interrupt comes during the trials or while the controller is built. In the second case the folder of the build
+/// is removed.
 TEST(Simulate, AnInterruptIsInconclusive) {
     const Changed changed("trials 10", "trials 100000");
     const auto ran = testing::run_and_signal({"simulate", changed.path(), "--no-pictures"}, SIGTERM);

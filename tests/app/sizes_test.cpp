@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `check --sizes` prints the sizes of the components' processes. The expected numbers are counted by hand here.
+// Tests `check --sizes`, which prints the sizes of the components' processes. The expected numbers are counted by hand
+// here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,8 +13,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// D__ untimed has five states and five transitions: the initial node, then A and B, each entered by a hidden event,
-// form a line that ends in a ring of four states. O__ is the ring of a and b, preceded by the uncompressed call: a
+// The untimed D__ has five states and five transitions: the initial node, then A and B, each entered by a hidden event.
+// They form a line that ends in a ring of four states. O__ is the ring of a and b after the uncompressed call. A
 // process is compressed when its transitions are first computed, so the first state is not in the ring.
 constexpr const char* machine = R"(stm S {
   event a event b

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboTool's regression suite through the command. Each folder of models that RoboTool accepts must have as many
+// Runs RoboTool's regression suite through the command. Each folder of models that RoboTool accepts must have as many
 // obligations as EXPECTED.tsv lists, and each obligation must have the answer that the suite states. A table lists the
-// exceptions with the reason; one more or one less fails the test. The test is skipped if the suite is absent.
+// exceptions with the reason. An additional or a missing exception fails the test. The test is skipped if the suite is
+// absent.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The exceptions by folder, one line for each, in the format of `shortfall`. RoboTool has no check for `clock C is
-/// initialised`. The comment above the claim in clocks6, that the clock is not used there, was copied from clocks5. In
-/// clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
+/// Returns the exceptions by folder, one line for each, in the format of `shortfall`. RoboTool has no check for `clock
+/// C is initialised`. In clocks6, the suite's comment above the claim says that the clock is not used, but it was
+/// copied from clocks5. In clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
 /// (RoboToolSuite.TheClockOfClocks6IsResetBeforeItIsRead).
 const std::map<std::string, std::string>& departures() {
     static const std::map<std::string, std::string> table{
@@ -46,8 +47,8 @@ std::vector<std::string> cells(const std::string& line) {
     return result;
 }
 
-/// The rows of EXPECTED.tsv whose models are accepted. Columns: tier, dir, expectation, assertions_file, n_assertions,
-/// untimed_obligations, timed_obligations.
+/// Returns the rows of EXPECTED.tsv whose models are accepted. Columns: tier, dir, expectation, assertions_file,
+/// n_assertions, untimed_obligations, timed_obligations.
 std::vector<Row> accepted(const fs::path& suite) {
     std::vector<Row> result;
     std::ifstream table(suite / "EXPECTED.tsv");
@@ -59,7 +60,8 @@ std::vector<Row> accepted(const fs::path& suite) {
     return result;
 }
 
-/// The differences from the expectation in the folder; empty if all obligations exist and have the stated answers.
+/// Returns the differences from the expectation in the folder, or "" if all obligations exist and have the stated
+/// answers.
 std::string shortfall(const fs::path& suite, const Row& row) {
     const Ran ran = run({"check", (suite / "accept" / row.folder).string(), "--format", "json", "--timeout", "60"});
     const auto report = nlohmann::json::parse(ran.out, nullptr, false);
@@ -99,8 +101,8 @@ TEST(RoboToolSuite, EveryObligationIsAsExpected) {
     }
 }
 
-// stm0 of clocks6 as in the suite, and without the reset on t1. The claim of the suite is true only without the reset.
-// t2 reads `since(Cl)`, and so does T1 of opA inside the call.
+// Returns stm0 of clocks6 with this reset on t1: as in the suite, or without a reset. The claim of the suite is true
+// only without the reset. t2 reads `since(Cl)`, and so does T1 of opA inside the call.
 std::string clocks6(const std::string& reset) {
     return R"(
         interface E { event time : nat event output }

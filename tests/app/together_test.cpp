@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Independent models have the same verdicts in one run as alone, for any number of models. The test uses the folders of
-// models next to the repository, if they are present: every third model, or all models with ROBOCHART_TOGETHER=all.
+// Tests that independent models have the same verdicts in one run as alone, for any number of models. The test uses the
+// folders of models next to the repository, if they are present: every third model, or all models with
+// ROBOCHART_TOGETHER=all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Each verdict with its place. The prefix that a run of several models adds to a title is ignored, and so are repeated
-/// verdicts: a model that is given alone loads the files next to it that it needs.
+/// Each verdict with its place. A run of several models adds a prefix to titles, which the set omits. The set also
+/// merges repeated verdicts, because a model that is given alone loads the files next to it that it needs.
 using Verdicts = std::set<std::string>;
 
 nlohmann::json report(std::vector<std::string> arguments) {
@@ -27,7 +28,8 @@ nlohmann::json report(std::vector<std::string> arguments) {
     return nlohmann::json::parse(run(arguments).out, nullptr, false);
 }
 
-/// Verdicts by the path and line of the model. Core assertions have no place; their titles name only the component.
+/// Returns the verdicts by the path and line of the model. Core assertions have no place, so only their titles, which
+/// name the component, identify them.
 Verdicts verdicts(const nlohmann::json& report) {
     Verdicts result;
     if (!report.is_object() || !report.contains("assertions")) return result;
@@ -41,7 +43,7 @@ Verdicts verdicts(const nlohmann::json& report) {
     return result;
 }
 
-/// Every third model, or all if requested.
+/// Returns every third model, or all if requested.
 std::vector<std::string> sample(std::vector<std::string> models) {
     std::ranges::sort(models);
     const char* setting = std::getenv("ROBOCHART_TOGETHER");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`): the model accepts the
-// recorded runs and rejects altered ones.
+// Tests logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`). The model
+// accepts the recorded runs and rejects altered ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using testing::repository;
 using testing::run;
 using testing::TemporaryFile;
 
-/// A console program of a model, built in its own folder.
+/// The console program of a model, built in its own folder.
 class Console {
 public:
     Console(const std::string& model, const std::string& component, std::vector<std::string> more = {})
@@ -40,7 +40,7 @@ public:
             "main.cpp controller/*.cpp -o console");
     }
 
-    /// Runs the program with these input lines and a log; returns its output.
+    /// Runs the program with these input lines and a log. Returns its output.
     std::string drive(const std::string& lines, const std::string& options = "") {
         std::ofstream(project_ + "/lines") << lines;
         shell("./console --log run.trace " + options + " < lines > printed");
@@ -75,7 +75,7 @@ private:
     std::string model_, project_;
 };
 
-/// The example of docs/traces.md.
+/// Tests the example of docs/traces.md.
 TEST(TraceHook, ALogOfTheConsoleIsARunOfTheModel) {
     Console console(repository("corpus/aggregation"), "Aggregation");
     const std::string printed = console.drive("\nseeRobot\nseeRobot\nseeWall\n\n", "--coverage");
@@ -107,12 +107,12 @@ stm M { requires I uses E var l : Light var n : nat var r : real initial i
     transition t3 { from A to F trigger count?n action done!(level > 1) } }
 )";
 
-/// All kinds of words in a log: a variable that the environment writes, termination, a typed event, an operation with
-/// several arguments, a boolean.
+/// The log contains all kinds of words: a variable that the environment writes, termination, a typed event, an
+/// operation with several arguments, a boolean.
 TEST(TraceHook, EveryKindOfWord) {
     const TemporaryFile model("m.rct", typed);
     Console console(model.path(), "M");
-    // Two cycles with Green set level to 2; then the machine terminates.
+    // In two cycles Green sets level to 2. Then the machine terminates.
     const std::string printed = console.drive("\nsee=1\nsee=1\n\ncount=1\n", "--coverage");
     EXPECT_THAT(console.log(), HasSubstr("component p::M\ncycle 1\nrun 1\n"
                                          "go!0.5!3 tock\n"
@@ -183,8 +183,8 @@ int main() {
 }
 )";
 
-/// Composite values in CSP's notation, as the code prints them: fields in the model's order, sets in the order of their
-/// members, numbers as decimals. A log with one altered component is rejected.
+/// Composite values are written in CSP's notation, as the code prints them: fields in the model's order, sets in the
+/// order of their members, numbers as decimals. The model rejects a log with one altered component.
 TEST(TraceHook, ValuesWithParts) {
     const TemporaryFile model("m.rct", with_parts);
     Console console(model.path(), "M");
@@ -206,7 +206,7 @@ TEST(TraceHook, ValuesWithParts) {
              {"mix!{Red,Green}", "mix!{Green}", "run.trace:8: run 1, cycle 3"},
              {"push!(2,1)", "push!(1,2)", "run.trace:9: run 1, cycle 4"},
              {"note!Fetch(0.5,Red)", "note!Fetch(0.5,Green)", "run.trace:10: run 1, cycle 5"},
-             {"path?<2,0>", "path?<2,0,1>", "run.trace:7: run 1, cycle 2"}}) {  // longer than allowed
+             {"path?<2,0>", "path?<2,0,1>", "run.trace:7: run 1, cycle 2"}}) {  // the list is longer than allowed
         console.corrupt(log, from, to);
         const auto bad = console.check();
         EXPECT_EQ(bad.exit, std::string(to) == "path?<2,0,1>" ? 3 : 1) << to << bad.out << bad.err;
@@ -218,7 +218,7 @@ TEST(TraceHook, ValuesWithParts) {
     EXPECT_THAT(wrong.err, HasSubstr("turn carries a number, found `one`"));
 }
 
-/// The console reads values in the format in which it prints them; it also accepts the numbers of literals, as before.
+/// The console reads values in the format in which it prints them. It also accepts the numbers of literals.
 TEST(TraceHook, TheConsoleReadsAndShowsValuesWithParts) {
     const TemporaryFile model("m.rct", with_parts);
     Console console(model.path(), "M");
@@ -231,7 +231,7 @@ TEST(TraceHook, TheConsoleReadsAndShowsValuesWithParts) {
         console.log(),
         HasSubstr("pose?(0.5,true) seen?{Red,Green} go!(0.5,true)!<2,0> echo!(0.5,true) mix!{Red,Green} tock\n"));
     EXPECT_EQ(console.check().exit, 0);
-    // None of these is a value of its type, so no event is raised.
+    // No input line contains a value of its type, so no event is raised.
     console.drive(
         "\npath=<2,\npath=<2,0>x pose=(1) pose=(1,yes) seen={Blue} seen=<Red> force=(1,2,3) job=Fetch(1) job=Fetch "
         "tag=\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `simulate --log` and `conform --traces` as a user runs them: runs of generated controllers are runs of their model,
-// and runs of altered controllers are not.
+// Tests `simulate --log` and `conform --traces`: runs of generated controllers are runs of their model, and runs of
+// altered controllers are not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 using testing::repository;
 using testing::run;
 
-/// Copies a case study with one replacement next to its scenario.
+/// Copies a case study and its scenario into the folder, with one replacement in the model.
 void change(const Folder& folder, const std::string& study, const std::string& what, const std::string& with) {
     std::string model = read_contents(repository("corpus/" + study + "/" + study + ".rct"));
     const std::size_t at = model.find(what);
@@ -47,7 +47,7 @@ TEST(Traces, EveryRobotOfBothCaseStudiesRunsAsItsModel) {
     }
 }
 
-/// Numbers of robots that are no numbers of models, and those at the ends of `double`.
+/// Logs contain values that are not numbers of any model, and numbers near the limits of `double`.
 TEST(Traces, NumbersThatAreNoneAreRefusedAndExtremeOnesAreCompared) {
     const std::string model =
         "interface Plant { heat() rest() }\n"
@@ -75,7 +75,7 @@ TEST(Traces, NumbersThatAreNoneAreRefusedAndExtremeOnesAreCompared) {
     }
 }
 
-/// Controllers of altered models: the original model rejects their logs.
+/// The controllers are generated from altered models, so the original model rejects their logs.
 TEST(Traces, ChangedControllersAreFoundOut) {
     struct Change {
         const char* study;
@@ -134,8 +134,8 @@ TEST(TestSuites, WriteStringsAsLogsHaveThem) {
     EXPECT_EQ(checked.exit, 0) << checked.out << checked.err << read_contents(folder / "out/tests/S/S.trace");
 }
 
-/// A model that leaves a choice. The generated GoogleTest is linked with an implementation that takes the second
-/// choice, and with one that violates the model.
+/// The model leaves a choice. The generated GoogleTest is linked with an implementation that takes the second choice,
+/// and with one that violates the model.
 TEST(TestSuites, FollowAnImplementationWhereTheModelLeavesAChoice) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -178,7 +178,7 @@ std::unique_ptr<Implementation> make_implementation() { return std::make_unique<
     EXPECT_THAT(read_contents(tests + "/reported"), HasSubstr("\n    left!\n"));
 }
 
-/// Two machines that send each other a token indefinitely, with an output each time, without time passing.
+/// Two machines send each other a token indefinitely, with an output each time, without time passing.
 TEST(TestSuites, AreRefusedWhereACycleHasNoEnd) {
     const testing::TemporaryFile model(
         "m.rct",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `tune` as a user runs it, in a world whose best constants are known, and altered certificates.
+// Tests the verb `tune` in a world whose best constants are known, and with altered certificates.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ using testing::run;
 using testing::run_shell;
 using tests::read_contents;
 
-/// A robot that drives along a curve, or spins. The way from (0, 0) to within 30 cm of a lamp at (100 cm, 0) is 70 cm
-/// straight ahead, so the best constants are no curve, no spinning, and the highest speed. Speeds above 8 reach the
+/// A robot drives along a curve, or spins. The way from (0, 0) to within 30 cm of a lamp at (100 cm, 0) is 70 cm
+/// straight ahead. So the best constants are no curve, no spinning, and the highest speed. Speeds above 8 reach the
 /// state Hasty.
 constexpr const char* model = R"(package aim
 interface Drive {
@@ -87,7 +87,8 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     const auto& winner = json.at("elites").at(0);
     EXPECT_LE(json.at("trials"), 400);
     EXPECT_GE(std::stod(constant(winner, "speed")), 8.0);
-    // A curve c leads c 100^2 / (2 v) cm past the lamp, roughly: 30 cm at 0.06 and the highest speed.
+    // With a curve c, the robot passes roughly c 100^2 / (2 v) cm beside the lamp. This is 30 cm for a curve of 0.06 at
+    // the highest speed.
     EXPECT_NEAR(std::stod(constant(winner, "curve")), 0, 0.06);
     EXPECT_EQ(constant(winner, "spinning"), "false");
     const auto& certificate = json.at("certificate");
@@ -111,7 +112,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_THAT(again.out, HasSubstr("\nthe certificate says what is decided here\n"));
     EXPECT_THAT(again.out, HasSubstr("  ranges: none\n  search: as recorded, not repeated\n"));
 
-    // The certificate is altered without and with a new digest; then the model is altered.
+    // The test alters the certificate, first without and then with a new digest. Then it alters the model.
     const std::string text = read_contents(file);
     std::string error;
     std::string changed = text;
@@ -144,7 +145,7 @@ TEST(Tune, FindsWhatIsBestAndCertifiesIt) {
     EXPECT_THAT(other.out, HasSubstr("differs      model: aim.assertions is not the one that is certified"));
 }
 
-/// A higher speed would be better, but an assertion fails for it.
+/// A higher speed would be better, but an assertion fails for it, so it is rejected.
 TEST(Tune, WhatFailsACheckIsRefused) {
     const Folder folder(project(not_hasty));
     const auto ran = run(tuning(folder, {"--budget", "300", "--format", "json"}));
@@ -252,7 +253,7 @@ TEST(Tune, WrongUsage) {
     expect({"--verify-certificate", scenario, "--range", "nat=0..2"}, "no --range beside it");
 }
 
-/// Two trials are less than what one candidate needs.
+/// One candidate needs more than two trials.
 TEST(Tune, ProgramsLearnWhyNothingWasFound) {
     const Folder folder(project(harmless));
     const auto ran = run(tuning(folder, {"--budget", "2", "--format", "json"}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `validate` as a user runs it: outcomes, formats, fixes.
+// Tests the verb `validate`: outcomes, formats, fixes.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ using testing::TemporaryFile;
 
 constexpr const char* good =
     "stm S {\n  var n : nat\n  initial i\n  state s { entry n = 1 }\n  transition t { from i to s }\n}\n";
-/// `bool`, `=` for `==`, `&&`, a misspelt variable and a trailing `;`.
+/// The model contains these errors: `bool`, `=` for `==`, `&&`, a misspelt variable and a trailing `;`.
 constexpr const char* bad =
     "stm S {\n  var counter : nat, b : bool\n  initial i\n  state s { entry countr = 1; }\n  transition t { from i to "
     "s }\n"
@@ -61,7 +61,7 @@ TEST(Validate, FixAppliesWhatIsCertainAndReportsTheRest) {
     EXPECT_EQ(read_contents(file.path()), before);
 }
 
-/// Notations of UML and C. Each run fixes the errors that it understands, so the next run finds more.
+/// The model uses notations of UML and C. Each run fixes the errors that it understands, so the next run finds more.
 TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
     const TemporaryFile file(
         "m.rct",
@@ -97,8 +97,8 @@ TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
     EXPECT_EQ(run({"validate", file.path()}).exit, 0);
 }
 
-/// The fix of the claim would not parse, so the file stays unchanged and a message says so.
-/// Claims in an assertion file go to the end of the claims file beside it.
+/// If the fix of a claim could not be parsed, the file stays unchanged and a message says so. Claims in an assertion
+/// file are moved to the end of the claims file beside it.
 TEST(Validate, FixMovesClaims) {
     const testing::Folder folder(
         {{"m.rct",
@@ -143,8 +143,8 @@ TEST(Validate, FixWritesOnlyWhatReadsBetter) {
     EXPECT_EQ(read_contents(folder / "c.assertions"), "prob property P1 : Prob=? of [ Finally S is in S::s ]\n");
 }
 
-// Blocks for an older generator: names of events, processes, calls and their returns, and of a type's values. What is
-// written is decided.
+// The blocks were written for an older generator. The fix updates names of events, processes, calls and their returns,
+// and the names of a type's values. The updated blocks can be decided.
 TEST(Validate, FixWritesTodaysNamesOfRoboTool) {
     const testing::Folder folder({{"m.rct",
                                    "package Yard\ninterface Motor { turn(n : nat) }\n"

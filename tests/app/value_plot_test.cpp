@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots of probabilistic assertions: their lines and points.
+// Tests the lines and points in plots of probabilistic assertions.
 #include "app/report/value_plot.hpp"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A row with one result per value.
+/// Returns a row with one result per value.
 probability::Row row(NamedValues constants, const std::vector<std::int64_t>& values) {
     probability::Row row;
     row.constants = std::move(constants);

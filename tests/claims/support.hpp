@@ -13,8 +13,8 @@
 
 namespace robochart::claims::testing {
 
-/// A patrol robot: inputs obstacle, clear, arrived, estop, reset; operations goTo(nat), halt, reverse, brake; an event
-/// `beep` in both directions; colours.
+/// A patrol robot with inputs obstacle, clear, arrived, estop and reset, and with operations goTo(nat), halt, reverse
+/// and brake. It has an event `beep` in both directions, and an enumeration of colours.
 inline const char* const patrol_model = R"(package small
 
 enumeration Colour { red green }
@@ -56,7 +56,7 @@ stm Patrol {
 }
 )";
 
-/// Claims with their findings.
+/// Parsed claims with their findings.
 struct Read {
     explicit Read(const std::string& text) {
         const auto model_source = sources.add("small.rct", patrol_model);
@@ -69,7 +69,7 @@ struct Read {
         if (of_model.ok()) checked = check_claims({file}, {system, {"small"}, {"Taken"}}, sources, diagnostics);
         model_ok = of_model.ok();
     }
-    /// "CLM-P01:3 CLM-T02:7": codes with lines, in the order of the text.
+    /// Returns codes with lines, in the order of the text: "CLM-P01:3 CLM-T02:7".
     [[nodiscard]] std::string findings() const {
         std::string text;
         for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings()) {

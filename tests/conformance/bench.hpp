@@ -40,14 +40,14 @@ struct Model {
     [[nodiscard]] ir::ComponentRef machine_named(const std::string& name) const;
 };
 
-/// A copy of a file of the corpus with every `from` replaced by `to`.
+/// Returns a copy of a file of the corpus with every `from` replaced by `to`.
 [[nodiscard]] ModelFolder changed_copy(const std::string& file, const std::string& from, const std::string& to);
 
 class Bench {
 public:
     Bench(Model& model, ir::ComponentRef component);
 
-    /// Generates, compiles and checks one controller; does not repeat the check of schedulability.
+    /// Generates, compiles and checks one controller. Does not repeat the check of schedulability.
     [[nodiscard]] Result check_code(cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0);
     [[nodiscard]] std::unique_ptr<SharedObject> compile_fault(cpp_emit::Fault fault, std::uint32_t site);
     /// Checks a controller that was compiled elsewhere.
@@ -62,7 +62,7 @@ public:
     }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] cspm::ExprPtr process() const { return component_process(script_.definitions, component_); }
-    /// The interface of the generated code, with events of the session. Compiles the code once.
+    /// Returns the interface of the generated code, with events of the session. Compiles the code once.
     [[nodiscard]] const Interface& interface();
     [[nodiscard]] cspm::Session& session() { return *session_; }
     [[nodiscard]] lts::TransitionSystem& system() { return *system_; }

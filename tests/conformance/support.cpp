@@ -40,7 +40,8 @@ std::string GraphSystem::describe(lts::StateView state) const {
 }
 
 std::vector<Edge> turner_model(bool waits) {
-    // 0 start, 1 drove, 2 driving, 3 saw a robot, 4 turned, 5 turning; operations are urgent (no tock in 0 and 3).
+    // The states are: 0 start, 1 drove, 2 driving, 3 saw a robot, 4 turned, 5 turning. Operations are urgent, so states
+    // 0 and 3 have no tock.
     const unsigned drove = waits ? 1 : 2;
     const unsigned turned = waits ? 4 : 5;
     return {

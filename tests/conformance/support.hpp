@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code that the conformance tests share: models written as graphs, and controllers written by hand.
+// Provides models that are written as graphs, and controllers that are written by hand, for the conformance tests.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace robochart::conformance::test {
 
-/// An edge of a model; "tau" and "tick" are the invisible event and termination. State 0 is the initial state.
+/// An edge of a model. "tau" is the invisible event, and "tick" is termination. State 0 is the initial state.
 struct Edge {
     unsigned from;
     std::string event;
@@ -38,9 +38,9 @@ private:
     process::EventTable* events_;
 };
 
-/// The model of objects/turner.cpp, component "T". `waits`: each operation takes one time unit.
+/// Returns the model of objects/turner.cpp, component "T". If `waits`, each operation takes one time unit.
 [[nodiscard]] std::vector<Edge> turner_model(bool waits = true);
-/// The interface of turner.cpp; its names have the component's prefix.
+/// Returns the interface of turner.cpp. Its names have the component's prefix.
 [[nodiscard]] Interface turner_interface();
 
 /// Compiles objects/NAME.cpp with -DFAULT=fault.

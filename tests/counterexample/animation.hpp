@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A component that is being animated, with the objects that this needs.
+// Animates a component, and owns the objects that this needs.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explorations agree with the stepper: states and offers by hand, limits, and random walks.
+// Tests that explorations agree with the stepper: states and offers by hand, limits, and random walks.
 #include "counterexample/exploration.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 using csp_emit::Time;
 using testing::Animation;
 
-/// The processes of a script; the first assertion names the process to explore.
+/// The processes of a script. The first assertion names the process to explore.
 struct ScriptSpace {
     explicit ScriptSpace(const std::string& text)
         : script(cspm::read(sources, sources.add("s.csp", text), diagnostics)), session(script) {}
@@ -38,7 +38,7 @@ struct ScriptSpace {
     StepReader reader{context};
 };
 
-/// "a>1 b>2" for each state: its offers with their target states, "?" if the target was not explored.
+/// Returns "a>1 b>2" for each state: its offers with their target states, with "?" if the target was not explored.
 std::vector<std::string> listed(const Exploration& space) {
     std::vector<std::string> result;
     for (const Exploration::State& state : space.states) {
@@ -57,7 +57,7 @@ Q = b -> P [] c -> R
 R = b -> P
 assert P :[deadlock free])";
 
-// P is 0, Q is 1, STOP is 2, R is 3: in the order of discovery.
+// States are numbered in the order of discovery: P is 0, Q is 1, STOP is 2, R is 3.
 TEST(Exploration, HasEveryStateWithItsOffers) {
     const Exploration space = ScriptSpace(choice).explore();
     EXPECT_THAT(listed(space), ::testing::ElementsAre("a>1 b>2", "b>0 c>3", "", "b>0"));
@@ -93,8 +93,8 @@ TEST(Exploration, KeepsAStateThatCannotBeEvaluated) {
     EXPECT_THAT(space.states[1].error, ::testing::HasSubstr("Q"));
 }
 
-/// The events that a component offers and the process does not, by the rules of parallel composition, hiding and
-/// priority.
+/// Returns the events that a component offers but the process does not, with the cause according to the rules of
+/// parallel composition, hiding and priority.
 std::vector<std::string> absences_of(const std::string& text) {
     ScriptSpace space(text);
     const Exploration explored = space.explore({1, 100});
@@ -122,8 +122,8 @@ TEST(Exploration, SaysWhoKeepsAnEventFromHappening) {
                 ::testing::Contains("P: a: the parts that share it do not all offer it"));
 }
 
-// In On the machine accepts f once the clock allows it. The clock saturates above the largest number with which it is
-// compared (semantics 3.10).
+// In the state On, the machine accepts f once the clock allows it. The clock counts only to one above the largest
+// number with which it is compared (semantics 3.10).
 TEST(Exploration, HasMachinesWithTheirActiveStatesAndAbsences) {
     Animation animation(csp_emit::testing::load_model(R"(stm S { event e event f initial i clock T
 state Off { } state On { }
@@ -149,7 +149,7 @@ transition t2 { from On to Off trigger f condition since(T) >= 2 } })"),
                         "2: input f one time unit passes", "3: input f one time unit passes"));
 }
 
-/// The visible part of an offer.
+/// Returns the visible part of an offer.
 std::string seen(const Happening& happening, const std::string& name, bool hidden) {
     std::string text = happening.event.text + "|" + name + (hidden ? "|hidden" : "");
     for (const Event& event : happening.with) text += "|" + event.text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random walks: the stepper offers exactly the steps of the compiled process that verdicts are about.
+// Tests with random walks that the stepper offers exactly the steps of the compiled process, which is the process that
+// verdicts are about.
 #include "counterexample/stepper.hpp"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,7 @@ using testing::Animation;
 
 using Names = std::set<std::string>;
 
-/// The states that the compiled process may have reached with the events of the walk.
+/// The states that the compiled process may have reached after the events of the walk.
 class Shadow {
 public:
     explicit Shadow(lts::TransitionSystem& system) : system_(&system) { restart(); }
@@ -35,8 +36,8 @@ public:
         system_->initial(first);
         states_ = {first};
     }
-    /// Keeps the states with exactly these offers; returns false if there is none. A state may have fewer steps with
-    /// the same name, because the compiler merges equivalent states.
+    /// Keeps only the states with exactly these offers. Returns false if there is none. A state may have fewer steps
+    /// with the same name than the stepper offers, because the compiler merges equivalent states.
     [[nodiscard]] bool offers(const Names& names) {
         std::erase_if(states_, [&](const std::vector<Word>& state) { return steps(state).names != names; });
         return !states_.empty();
@@ -79,8 +80,8 @@ private:
     std::map<std::vector<Word>, Steps> known_;
 };
 
-/// The offers of the stepper in a state: visible names and their targets. All hidden events have the same name, because
-/// the compiler merges states that differ only in hidden events.
+/// The offers of the stepper in a state: visible names and their targets. All hidden events have the same name here,
+/// because the compiler merges states that differ only in hidden events.
 struct Offered {
     std::vector<std::pair<std::string, process::TermId>> list;
     Names names;
@@ -93,8 +94,8 @@ struct Offered {
     }
 };
 
-/// Returns the number of steps of the walk that agreed; a difference fails the test. If no step is possible, the walk
-/// restarts.
+/// Walks randomly, and returns the number of steps that agreed. A difference fails the test. If no step is possible,
+/// the walk restarts.
 std::size_t walk(Animation& animation, std::size_t steps, std::uint64_t seed) {
     const auto system = animation.session.system(animation.process);
     Shadow shadow(*system);
@@ -148,7 +149,7 @@ transition t0 { from i to Off }
 transition t1 { from Off to On trigger e?x condition x > 0 }
 transition t2 { from On to Off trigger f condition since(T) >= 3 } })";
 
-/// The index of the offer with this text.
+/// Returns the index of the offer with this text.
 std::size_t offer(Stepper& stepper, const std::string& text) {
     const auto& offers = stepper.current_offers();
     for (std::size_t i = 0; i < offers.size(); ++i)
@@ -198,7 +199,7 @@ TEST(Stepper, SaysWhyATransitionIsNotOnOffer) {
     EXPECT_TRUE(stepper.explain_absences().empty()) << "three units after the reset";
 }
 
-// `Silent` could send, but the controller connects no receiver.
+// `Silent` could send, but the controller connects no receiver to it.
 TEST(Stepper, KnowsWhereTheSurroundingsDoNotTakePart) {
     Animation animation(csp_emit::testing::load_model(R"(
 stm A { event e initial i state S { } state T { } transition t0 { from i to S } transition t1 { from S to T trigger e } }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs decomposed by processes: which component moves, with which name, and the states of all components.
+// Tests how runs are decomposed into processes: which component moves, under which name, and in which state each
+// component is.
 #include "counterexample/timeline.hpp"
 
 #include <gmock/gmock.h>
@@ -15,8 +16,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// The counterexample to the script's assertion: "NAME of COMPONENT, …" for each step, then the final states of the
-/// components.
+/// Returns the counterexample to the script's assertion: "NAME of COMPONENT, …" for each step, then the final states of
+/// the components.
 std::vector<std::string> reported(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;

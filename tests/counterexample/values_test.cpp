@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of the script in the notation of the model.
+// Tests that values of the script are shown in the notation of the model.
 #include "counterexample/values.hpp"
 
 #include <gmock/gmock.h>

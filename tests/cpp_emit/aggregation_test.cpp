@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the paper's first case study: machine, controller and module. The expected outputs are derived from the model
-// text (corpus/aggregation). Reals are hundredths, and one cycle is one time unit.
+// Tests the machine, controller and module of the aggregation model, the first case study of the paper. The expected
+// outputs are derived from the model text (corpus/aggregation). Reals are in hundredths, and one cycle is one time
+// unit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ TEST_F(Machine, ListsInputsAndOutputs) {
     const rc_interface& interface = controller_.interface();
     EXPECT_STREQ(interface.component, "AggregationFSM");
     EXPECT_EQ(interface.scale, 100);
-    ASSERT_EQ(interface.inputs, 2U);  // the shared speeds are never read, so they are no inputs
+    ASSERT_EQ(interface.inputs, 2U);  // no inputs for the shared speeds, which are never read
     EXPECT_STREQ(interface.input[0].name, "seeWall.in");
     EXPECT_STREQ(interface.input[1].name, "seeRobot.in");
 }
@@ -65,13 +66,14 @@ protected:
 };
 
 TEST_F(Module, OperationWritesTheSpeedsAndTakesACycle) {
-    // semantics 3.8: the operation's own writes are visible, its call is not. The order is that of the entry action.
+    // Semantics 3.8: the writes of the operation itself are visible, but its call is not. The order is that of the
+    // entry action.
     EXPECT_THAT(controller_.cycle(), ElementsAre("set_angularSpeed(-75)", "set_linearSpeed(-1088)"));
     EXPECT_THAT(controller_.cycle({{"seeRobot.in", ""}}), ElementsAre("set_angularSpeed(-502)", "set_linearSpeed(0)"));
 }
 
 TEST_F(Module, TransitionsWaitForTheOperationsEnd) {
-    // In the first cycle S1's entry action is still running: seeRobot is refused and lost.
+    // In the first cycle, S1's entry action is still running, so seeRobot is refused and lost.
     controller_.cycle({{"seeRobot.in", ""}});
     EXPECT_THAT(controller_.cycle(), IsEmpty());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The behaviour of a control cycle, construct by construct. Every expectation is derived from the rule that it names
-// (semantics 3.3-3.10, codegen 5.2: R1-R8). The models are as small as the rule allows and report through output
+// Tests the behaviour of a control cycle, construct by construct. Each expectation is derived from the rule that it
+// names (semantics 3.3-3.10, codegen 5.2: R1-R8). The models are as small as the rule allows and report through output
 // events.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ public:
     Machine(const ir::System& system, const std::string& name) : Controller(system, component_named(system, name)) {}
 };
 
-/// An operation of the platform: unlike an output, it may be called several times in a cycle.
+/// An operation of the platform. Unlike an output, it may be called several times in a cycle.
 const char* const tell = "interface Tell { x(value : nat) }\n";
 const char* const tell_int = "interface Tell { x(value : int) }\n";
 const char* const start = "initial i transition t0 { from i to A }\n";
@@ -54,7 +54,7 @@ TEST(Inputs, AreConsumedOnceInACycle) {
 }
 
 TEST(Inputs, GuardsSeeTheIncomingValueAndDoNotConsume) {
-    // semantics 3.4 "Guards": v starts at 0, so a guard on the old value would refuse 2 and accept nothing else.
+    // Semantics 3.4, "Guards": v starts at 0, so a guard on the old value would refuse 2 and accept nothing else.
     Machine m(std::string("event a : nat event x : nat var v : nat = 0 ") + start +
               "state A {} state B {}"
               "transition t1 { from A to B trigger a?v condition v > 1 action x!v }"
@@ -200,7 +200,7 @@ TEST(Nodes, TheFinalNodeTerminates) {
 }
 
 TEST(Nodes, AnInnerFinalNodeOnlyRests) {
-    // semantics 3.4 "No completion semantics".
+    // Semantics 3.4, "No completion semantics".
     Machine m(
         "event a event x initial i transition t0 { from i to O }"
         "state O { initial j final F transition u0 { from j to F } exit x }"
@@ -319,7 +319,7 @@ TEST(Deadlines, OfAStatementAreMissedWhenItIsNotOverInTime) {
     awaiting.cycle();
     EXPECT_THAT(awaiting.cycle({{"a.in", "1"}}), ElementsAre("x.out"));
     for (int cycle = 1; cycle <= 4; ++cycle) awaiting.cycle();
-    EXPECT_EQ(awaiting.result(), RC_QUIESCENT);  // the deadline is met, so it has ended
+    EXPECT_EQ(awaiting.result(), RC_QUIESCENT);  // the statement met its deadline, so the deadline has ended
     EXPECT_THAT(m.cycle(), ElementsAre("a.out", "x.out"));
     EXPECT_EQ(m.result(), RC_QUIESCENT);
 }
@@ -353,7 +353,7 @@ TEST(Statements, BranchesMayTakeTime) {
 }
 
 TEST(Values, ArithmeticIsClippedToTheCarrier) {
-    // semantics 3.13: int is {-2..2} here, so 2 + 1 yields its first operand.
+    // Semantics 3.13: int is {-2..2} here, so 2 + 1 yields its first operand.
     Machine m(
         std::string("requires Tell var v : int = 2 ") + start + "state A { entry v = v + 1 ; x(v) ; v = v - 1 ; x(v) }",
         tell_int);
@@ -378,7 +378,7 @@ TEST(Values, EnumerationsAreNumbered) {
 }
 
 TEST(Values, SharedVariablesAreWrittenFromOutside) {
-    // semantics 3.7: the machine keeps a copy; its own writes are visible.
+    // Semantics 3.7: the machine has a copy of the variable, so it sees its own writes.
     Machine m(std::string("requires I event x : nat ") + start +
                   "state A {} state B { entry v = 0 } transition t1 { from A to B condition v == 2 action x!v }",
               "interface I { var v : nat }\n");
@@ -459,7 +459,7 @@ TEST(Operations, OutsideTheirPreconditionEndTheCycleAndLaterOnes) {
     EXPECT_EQ(m.result(), RC_PRECONDITION);
 }
 
-// The machine whose turn comes later does nothing in that cycle.
+// The machine that would run next does nothing in that cycle.
 TEST(Operations, OutsideTheirPreconditionEndTheCycleOfOtherMachines) {
     const ir::System system = testing::load_model(
         "package p\ninterface I { op(a : nat) }\ninterface E { event x : nat }\n"
@@ -498,7 +498,8 @@ TEST(Operations, InADuringActionAreCutWithIt) {
     const auto running = m.image();
     EXPECT_THAT(m.cycle(), ElementsAre("x.out(2)"));
     m.restore(running);
-    // During actions run first, so this one ends before the transition; one cycle earlier it would be interrupted.
+    // During actions run first, so this one ends before the transition. If the event came one cycle earlier, the
+    // transition would interrupt it.
     EXPECT_THAT(m.cycle({{"e.in", ""}}), ElementsAre("x.out(2)"));
     EXPECT_EQ(m.state(), "state=B during_A=idle");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests code that asks its platform at the choices of the model (`emit cpp --choices`). For a platform without `pick`
+// Tests code that asks its platform at the choices of the model (`emit cpp --choices`). If a platform has no `pick`,
 // the code takes the first alternative. A platform that replays recorded answers determines the alternatives. Without
-// the option the code asks no questions.
+// the option, the code asks nothing.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -127,7 +127,7 @@ int main() {
                    trace + " -I . main.cpp M.cpp -o main && ./main");
 }
 
-/// The console program of a model, in a folder with the files that it writes.
+/// The console program of a model, in a folder with the files that the program writes.
 class ChoicesConsole : public ::testing::Test {
 protected:
     void build_console(const char* model_text, bool choices = true) {
@@ -137,7 +137,7 @@ protected:
         folder_.write(testing::emit_ok(system, testing::component_named(system, "M"), options));
         folder_.run("c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Werror -I . main.cpp M.cpp -o console");
     }
-    /// Runs the program with these lines of input; returns its output and error output.
+    /// Runs the program with these lines of input. Returns its output and error output.
     std::string run_console(const std::string& lines, const std::string& options = "", bool good = true) {
         std::ofstream(folder_.path() + "/lines") << lines;
         std::string output;
@@ -181,7 +181,7 @@ TEST_F(ChoicesConsole, APersonIsAsked) {
     EXPECT_NE(output.find("  which of 0..2? "), std::string::npos);
     EXPECT_NE(output.find("not a choice: three of 0..2\n"), std::string::npos) << output;
     EXPECT_NE(output.find("not a choice: 3 of 0..2\n"), std::string::npos) << output;
-    EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // end of the input: the first
+    EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // end of input: first choice
 }
 
 TEST_F(ChoicesConsole, WrongAnswersAreReported) {
@@ -197,7 +197,7 @@ TEST_F(ChoicesConsole, WrongAnswersAreReported) {
               std::string::npos);
 }
 
-/// Invalid records of this controller, and records of cycles that did not happen. The message names the line.
+/// Some records are invalid for this controller, others are of cycles that did not happen. The message names the line.
 TEST_F(ChoicesConsole, RecordsThatDoNotFitAreReported) {
     build_console(text);
     EXPECT_EQ(run_console("", "--replay missing", false), "missing: cannot be read\n");
@@ -232,7 +232,7 @@ stm M { requires O event pick : nat var n : nat initial i probabilistic p
     transition t4 { from B to F } transition t5 { from C to F } }
 )";
 
-/// Answers of the same form select randomly drawn alternatives, also without --choices. An input called `pick` keeps
+/// Answers of the same form determine randomly drawn alternatives, even without --choices. An input called `pick` keeps
 /// its name. The controller may terminate before its record ends.
 TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
     build_console(chances, false);
@@ -247,7 +247,7 @@ TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
               std::string::npos);
 }
 
-/// A program without choices has none of these options.
+/// A program without choices has no options for answers.
 TEST_F(ChoicesConsole, WithoutChoicesThereIsNothingToAnswer) {
     build_console(text, false);
     EXPECT_NE(run_console("\ngo pick=2\n").find("not an input: pick=2\n"), std::string::npos);

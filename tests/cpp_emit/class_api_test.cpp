@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the classes of the paper's mapping. The programs use them as a robot's author would: derive, override, raise
-// events, step. The exit code of each program identifies the first expectation that fails.
+// Tests the classes of the paper's mapping. The programs use these classes as a robot's author would: derive, override,
+// raise events, step. The exit code of each program identifies the first expectation that fails.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -92,7 +92,7 @@ int main() {
 }
 
 /// The compiler reports the platform operations that a class does not override. Operations that the model defines need
-/// no override.
+/// not be overridden.
 TEST_F(GeneratedClasses, OperationsOfThePlatformHaveToBeOverridden) {
     run("swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", R"(
 #include <type_traits>
@@ -112,7 +112,7 @@ int main() {
 })");
 }
 
-/// A swarm taxi whose platform does nothing.
+/// A swarm taxi with a platform that does nothing.
 constexpr const char* idle_taxi = R"(
 struct Robot : swarm_taxis::SwarmTaxisFSM {
     void MoveForward() override {}
@@ -156,7 +156,7 @@ int main() {
 })");
 }
 
-/// The comment of an event in the generated class, for a machine whose entry action calls an operation with this
+/// Returns the comment of an event in the generated class. The machine's entry action calls an operation with this
 /// statement.
 std::string comment_of_event(const std::string& statement) {
     const ir::System system = testing::load_model(

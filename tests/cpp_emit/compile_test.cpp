@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiles all code generated for the corpus. It must compile without warnings on both compilers, and the controller
-// also without exceptions and RTTI. A scripted run must be clean under AddressSanitizer and UBSan.
+// Compiles all code that is generated for the corpus. It must compile without warnings on both compilers, and the
+// controller also without exceptions and RTTI. A scripted run must be clean under AddressSanitizer and UBSan.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST_P(Compiles, AndRunsCleanUnderSanitizers) {
 const char* const aggregation_script = "\\nseeRobot\\nseeRobot seeWall\\n\\nseeWall\\n";
 const char* const taxis_script =
     "\\nillumination=true\\nrobotDetected\\nheading=0.2\\n\\nturned\\nillumination=false\\n";
-// The machine alone does not use `turned`: Turn belongs to the platform.
+// The machine alone does not use `turned`, because the operation Turn then belongs to the platform.
 const char* const machine_script = "\\nillumination=true\\nrobotDetected\\nheading=0.2\\n\\n";
 
 INSTANTIATE_TEST_SUITE_P(Corpus, Compiles,
@@ -75,8 +75,8 @@ INSTANTIATE_TEST_SUITE_P(Corpus, Compiles,
                                            Case{"swarm_taxis", "SwarmTaxis", "SwarmTaxisFSM", taxis_script}),
                          [](const auto& test) { return test.param.component; });
 
-/// Combines all constructs that leave an item unused or empty: no inputs, an inner final node below a during action,
-/// operations without body, declared types, names of C++.
+/// Combines all constructs that leave an item of the code unused or empty: no inputs, an inner final node below a
+/// during action, operations without body, declared types, names of C++.
 const char* const odd = R"(package new::p
 type Token
 enumeration Light { Red default }
@@ -108,8 +108,8 @@ TEST(Compile, OddMachines) {
     }
 }
 
-/// Sets have more places in deployed code than in code for `conform`. In both, the layout asserts that the state has no
-/// padding.
+/// Sets have a greater capacity in deployed code than in code for `conform`. In both, the code asserts that the state
+/// has no padding.
 TEST(Compile, StatesWhoseSizeDependsOnTheTypesHaveNoPadding) {
     const ir::System system = testing::load_model(R"(
 type ID
@@ -131,7 +131,7 @@ controller K { uses I sref m = M connection K on hear to m on hear connection K 
     }
 }
 
-/// Operations and functions with a parameter that has the name of a class variable.
+/// Some parameters of operations and functions have the name of a variable of the class.
 TEST(Compile, ParametersMayBeCalledAsVariables) {
     const ir::System system = testing::load_model(
         "function far(speed : real) : boolean { }\n"
@@ -151,8 +151,8 @@ TEST(Compile, ParametersMayBeCalledAsVariables) {
     }
 }
 
-/// A model may contain comparisons that are always true or always false: of literals, of constants, of a value with
-/// itself, and of mutually exclusive values. They must compile without warnings.
+/// These comparisons are always true or always false: of literals, of constants, of a value with itself, and of
+/// mutually exclusive values. A model may contain them, and they must compile without warnings.
 constexpr const char* settled[] = {"n == n",
                                    "n != n",
                                    "n < n",
@@ -249,7 +249,7 @@ TEST(Compile, ComparisonsThatAreSettled) {
         text +=
             fmt::format("transition c{} {{ from A to B trigger e[| n == 3 |]?n condition {} }}\n", number, condition);
         text += fmt::format("transition b{} {{ from B to A condition {}\n", number, condition);
-        if (condition.starts_with("since")) {  // allowed only in guards
+        if (condition.starts_with("since")) {  // since is allowed only in guards
             text += "}\n";
         } else {
             text += fmt::format("action c = ({}); if {} then c = b end }}\n", condition, condition);
@@ -269,7 +269,7 @@ TEST(Compile, ComparisonsThatAreSettled) {
     }
 }
 
-/// RoboTool's own models, if they are present.
+/// Compiles RoboTool's own models, if they are present.
 TEST(Compile, RoboToolsModels) {
     namespace fs = std::filesystem;
     const fs::path suite = robochart::tests::shared_folder() / "suite/robotool/accept";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the event API with the cycle API in every reachable state of a controller. Dispatching an event and then
-// running a cycle without inputs must equal one cycle with the event. begin() and then a cycle without inputs must
+// Compares the event API with the cycle API in every reachable state of a controller. To dispatch an event and then run
+// a cycle without inputs must equal one cycle with the event. To call begin() and then run a cycle without inputs must
 // equal a cycle without events. The test runs both strategies over all states and inputs of the compiled code.
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace robochart::cpp_emit::dispatch_test {
 namespace {
 
-/// The driver is compiled together with the exploration interface, because it uses names from its unnamed namespace. It
+/// The driver uses names from the unnamed namespace of the exploration interface, so both are compiled together. It
 /// prints the number of compared steps.
 constexpr const char* driver = R"(
 #include <array>
@@ -102,7 +102,7 @@ int main() {
 struct Case {
     const char* model;
     const char* component;
-    bool direct;  ///< no program waits: the code is a switch or a table
+    bool direct;  ///< true if no program waits, so that the code is a switch or a table
 };
 
 void PrintTo(const Case& row, std::ostream* out) {
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,
                              return std::get<0>(instance.param).component + std::string(table ? "_table" : "_switch");
                          });
 
-/// Code that asks its platform asks it in both APIs: `dispatch` runs as a cycle, and the strategy has no effect.
+/// Code that asks its platform asks it in both APIs. Here `dispatch` runs as a cycle, so the strategy has no effect.
 /// tests/conformance/check/dispatch_equivalence_test.cpp compares both APIs for every answer.
 TEST(Strategies, CodeThatAsksRunsAsInACycle) {
     diagnostics::SourceManager sources;

@@ -14,7 +14,8 @@ namespace {
 
 using testing::Folder;
 
-/// Sums, products of all kinds, entries that are read and written, and a function that the platform computes.
+/// The model has sums, products of all kinds, entries that are read and written, and a function that the platform
+/// computes.
 const char* const text = R"(package p
 interface O {
     moved(at : vector(real, 3), turned : vector(real, 3), along : real, second : real)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The embedded profile: compiles generated code for a Cortex-M4 (Debian: gcc-arm-none-eabi,
-// libstdc++-arm-none-eabi-dev and libnewlib-dev) without exceptions and RTTI. Its objects must not need features that a
+// Tests the embedded profile. Compiles generated code for a Cortex-M4 (Debian: gcc-arm-none-eabi,
+// libstdc++-arm-none-eabi-dev and libnewlib-dev) without exceptions and RTTI. The objects must not need features that a
 // microcontroller may lack: a heap, streams, exceptions, constructors before main, static data.
 #include <gtest/gtest.h>
 
@@ -27,7 +27,8 @@ struct Sizes {
 
 class Embedded : public ::testing::Test {
 protected:
-    /// Whether the packages are installed. Without them the test is skipped; in continuous integration it fails.
+    /// Returns whether the packages are installed. Without them the test is skipped, except in continuous integration,
+    /// where it fails.
     bool available() {
         std::string ignored;
         return folder_.status("echo '#include <cstdint>' | arm-none-eabi-g++ -x c++ -fsyntax-only -", ignored) == 0;
@@ -55,7 +56,7 @@ protected:
         return sizes;
     }
 
-    /// Checks the undefined symbols of the object: only the robot's own functions, arithmetic of the run-time library,
+    /// Checks the undefined symbols of the object. Only the robot's own functions, arithmetic of the run-time library,
     /// memset and memcpy are allowed.
     void expect_bare() const {
         std::istringstream names(folder_.run("arm-none-eabi-nm -u object.o"));
@@ -112,7 +113,7 @@ TEST_F(Embedded, TheLeanCoreOfAggregation) {
     EXPECT_LT(sizes.text, 2048U);
 }
 
-/// Types are a policy, so the same text works with reals of four bytes, for the single-precision FPU.
+/// Types are a template policy, so the same text works with reals of four bytes, for the single-precision FPU.
 TEST_F(Embedded, WithRealsOfFourBytes) {
     ROBOCHART_NEEDS_ARM;
     emit("aggregation", "Aggregation");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that every seeded fault changes the behaviour of the controller at its own place, and does not affect code
-// generated without a fault.
+// Tests that every seeded fault changes the behaviour of the controller at its own place. A fault must not affect code
+// that is generated without it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -122,8 +122,8 @@ TEST_P(Faults, HaveOneTextForEachSite) {
         return std::ranges::find_if(emission.files, [](const OutputFile& file) { return file.path == "M_core.hpp"; })
             ->text;
     };
-    // Code with a fault in the cycle uses the event API of the general form. So the reference is the code of another
-    // fault, at a site that does not exist.
+    // Code with a fault in the cycle uses the general form of the event API. So the reference is code of the same form,
+    // generated with another fault at a site that does not exist.
     Options other = options;
     other.fault = options.fault == Fault::wait_dropped ? Fault::wait_late : Fault::wait_dropped;
     EXPECT_EQ(core(beyond), core(testing::emit_ok(system_, ref, other)));
@@ -137,10 +137,11 @@ TEST_P(Faults, HaveOneTextForEachSite) {
 INSTANTIATE_TEST_SUITE_P(
     All, Faults,
     ::testing::Values(
-        // A false guard consumes a = 1, which t2 would take.
+        // The faulty code consumes a = 1 although the guard is false, so t2 cannot take it.
         Case{Fault::guard_after_consume, "guard_after_consume", guarded, {{}, {{"a.in", "1"}}}},
         Case{Fault::children_not_exited, "children_not_exited", nested, {{}, {{"c.in", ""}}, {{"a.in", ""}}}},
-        // After the return the inner state must be P again, where c silently leads to Q.
+        // After the return to the composite state, the inner state must be P again, where c leads to Q without an
+        // output.
         Case{Fault::composite_resumed,
              "composite_resumed",
              nested,
@@ -158,11 +159,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{Fault::exit_dropped, "exit_dropped", actions, three},
         Case{Fault::argument_swapped, "argument_swapped", calling, {{}}},
         Case{Fault::assignment_dropped, "assignment_dropped", actions, three},
-        // the second a comes too early and must be lost
+        // the second a comes too early, so it must be lost
         Case{Fault::event_kept, "event_kept", two_inputs, {{{"a.in", ""}}, {{"a.in", ""}}, {{"b.in", ""}}}},
         Case{Fault::wait_dropped, "wait_dropped", actions, three},
         Case{Fault::output_repeated, "output_repeated", two_outputs, {{}, {}}},
-        // After the call of some(0), B would be left.
+        // The faulty code would leave B after the call of some(0).
         Case{Fault::function_precondition_dropped,
              "function_precondition_dropped",
              undefined,
@@ -176,7 +177,7 @@ struct Exchanged {
     const char* other;
 };
 
-// The fault exchanges names of functions. A name without a function would be a fault that never occurs.
+// The fault exchanges the names of two functions. If one of the names had no function, the fault could never occur.
 TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
     constexpr Exchanged pairs[] = {{"union({v}, {1}) == {}", "union_", "inter"},
                                    {"inter({v}, {1}) == {}", "inter", "union_"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests seeded faults that the IR can express: the machine changes as described, and all other parts stay the same. The
+// Tests seeded faults that the IR can express. Each fault changes the machine as described and nothing else. The
 // expected texts follow from the descriptions in all_faults() and from the form of `--print ir`.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class FaultyModels : public ::testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(component_); }
 
-    /// The text of the model with a fault.
+    /// Returns the text of the model with a fault.
     std::string faulty_text(Fault fault, std::uint32_t site) {
         Mutation mutation(fault, site);
         const FaultyModel faulty(system_, inst_, *component_, mutation);
@@ -122,7 +122,7 @@ TEST_F(FaultyModels, BeginWithTheDefaultOfAType) {
     EXPECT_EQ(sites_, 2U);  // v and w
 }
 
-/// Lines of a class Step as the generator writes them.
+/// Lines of the class Step as the generator writes them.
 const char* const code = R"(class Step {
     bool transition(Frame& f) noexcept {
         switch (f.at) {

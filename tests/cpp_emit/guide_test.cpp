@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests docs/cpp.md. Extracts its programs, compiles them with the generated code as C++17 and C++20, and compares
-// their output with the page. Compares the layout table with states of every kind.
+// their output with the page. Also compares the layout table with states of every kind.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::Folder;
 
-/// The next block of a language after a position of the page.
+/// Returns the next block of a language after a position of the page.
 std::string next_block(const std::string& page, const std::string& language, std::size_t& from) {
     const std::string fence = "```" + language + "\n";
     const std::size_t begin = page.find(fence, from);
@@ -63,7 +63,7 @@ TEST(Guide, TheTraceHook) {
     run_guide_program("traced", "aggregation", "Aggregation", "AggregationFSM.cpp -DROBOCHART_TRACE=1");
 }
 
-/// In C++20 the compiler names a method that a platform lacks or that may throw.
+/// In C++20 the compiler names each method that a platform lacks or that may throw.
 TEST(Guide, ThePlatformIsAConcept) {
     const ir::System system = testing::load_corpus("aggregation");
     Folder folder;
@@ -92,8 +92,8 @@ int main() { auto state = core::init<Types>(); core::Inputs<Types> inputs; Lacki
     EXPECT_NE(output.find("the platform lacks a method"), std::string::npos) << output;
 }
 
-/// Records, sequences, several machines and buffers: every byte belongs to exactly one row of the table, for both kinds
-/// of types.
+/// The states have records, sequences, several machines and buffers. For both kinds of types, every byte belongs to
+/// exactly one row of the table.
 TEST(Guide, TheLayoutCoversEveryState) {
     const ir::System system = testing::load_model(R"(package p
 enumeration Light { Red Green Blue }

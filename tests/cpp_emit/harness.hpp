@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates a component, compiles it as conformance does, loads it and drives it cycle by cycle.
+// Generates a component, compiles it as conformance does, loads it and runs it cycle by cycle.
 #pragma once
 
 #include <map>
@@ -24,10 +24,11 @@ public:
     [[nodiscard]] int status(const std::string& command, std::string& output) const;
 };
 
-/// The inputs of one cycle: register name -> value text as in rc_input::text ("" for inputs without value).
+/// The inputs of one cycle. Maps a register's name to the text of its value as in rc_input::text ("" for inputs without
+/// value).
 using Registers = std::map<std::string, std::string>;
 
-/// A controller in a shared object.
+/// A controller that is loaded from a shared object.
 class Controller {
 public:
     Controller(const ir::System&, const ir::ComponentRef&, const Options& = {}, const ir::InstantiationOptions& = {});
@@ -41,7 +42,7 @@ public:
     void reset();
     [[nodiscard]] rc_result result() const { return result_; }
     [[nodiscard]] std::string state() const;
-    /// The bytes of the state.
+    /// Returns the bytes of the state.
     [[nodiscard]] const std::vector<unsigned char>& image() const { return state_; }
     void restore(const std::vector<unsigned char>& image) { state_ = image; }
     [[nodiscard]] const rc_interface& interface() const { return *interface_; }
@@ -57,9 +58,9 @@ private:
     rc_result result_ = RC_QUIESCENT;
 };
 
-/// A reference to a machine, controller or module by its name.
+/// Returns a reference to a machine, controller or module by its name.
 [[nodiscard]] ir::ComponentRef component_named(const ir::System&, const std::string& name);
-/// Generates code; findings other than notes fail the test.
+/// Generates code. Findings other than notes fail the test.
 [[nodiscard]] Emission emit_ok(const ir::System&, const ir::ComponentRef&, const Options& = {},
                                const ir::InstantiationOptions& = {});
 

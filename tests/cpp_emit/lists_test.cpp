@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code for models with lists: folds over windows of a sequence visit the items and build no set, lists that no later
-// cycle reads are no part of the state, no type is enumerated, and lists beyond their capacity end a cycle. The
-// programs run the code of small machines; the expected answers are computed by hand from the meaning of the functions.
+// Tests code for models with lists. Folds over windows of a sequence visit the items and build no set. Lists that no
+// later cycle reads are not part of the state. No type is enumerated. Lists beyond their capacity end a cycle. The
+// programs run the code of small machines. The expected answers are computed by hand from the meaning of the functions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -163,19 +163,20 @@ int main() {
 }
 )";
 
-/// ahead = 0, portside = 1, starboard = 2. A scan without a near reading stops the machine: no later scan has
-/// an effect. A reading of exactly 0.5 (place 30) is not near. A window beyond the end of a scan has no minimum.
+/// The outputs are ahead = 0, portside = 1, starboard = 2. A scan without a near reading stops the machine, so no later
+/// scan has an effect. A reading of exactly 0.5 (place 30) is not near. A window beyond the end of a scan has no
+/// minimum.
 const char* const expected =
     " 0 0\n 0 0\n 0 0\n 0 0\n 1 0\n 2 0\n"
     " 0 0\n"  // ahead is tested before portside
     " 0 0\n 1 0\n\n\n\n"
-    // <5, 2, 9, 2>, twice: 4 items, 3 different ones, 3 at the places 2 to 4; ..., 9 % 3 and
-    // 5 % 3; {5, 9}; {2, 5}; ...; the least of <9, 2>
+    // For the list <5, 2, 9, 2>, twice: 4 items, 3 different ones, 3 at the places 2 to 4; ..., 9 % 3 and 5 % 3; {5,
+    // 9}; {2, 5}; ...; the least of <9, 2>.
     " 4 3 3 11 0 1 0 2 2 2 0 1 1 2 42 4 3 3 11 0 1 0 2 2 2 0 1 1 2 42\n"
-    // <4, 5> has no item at the places 3 to 8: the action never continues
+    // <4, 5> has no item at the places 3 to 8, so the action never continues.
     " 2 2 1 11 0 0 1 2 1 2 1 1 0\n"
     "\n 0 1\n 1 1\n"
-    // the list has at most 2 items; its concatenation with another one is never built
+    // The list has at most 2 items. The code never builds its concatenation with another list.
     " 1 2 ok 3 ok 3 full 3 full 2\n";
 
 TEST(Lists, FoldsVisitTheItemsAndTheStateHasNoLists) {
@@ -200,7 +201,7 @@ TEST(Lists, FoldsVisitTheItemsAndTheStateHasNoLists) {
     EXPECT_EQ(folder.run("./program"), expected);
 }
 
-/// MOST: the items of a long list.
+/// MOST stands for the items of a long list.
 const char* const full_machines = R"(package full
 import sequence_toolkit::* import set_toolkit::*
 datatype Point { x : nat y : nat }
@@ -314,8 +315,8 @@ int main() {
 }
 )";
 
-/// All lists have at most two items, and 70 in Constant. A guard that needs a longer list is false. An action is
-/// completed with the items that fit: in the third cycle of Action, the last item that fits is 6.
+/// All lists have at most two items, except 70 in Constant. A guard that needs a longer list is false. An action is
+/// completed with the items that fit. In the third cycle of Action, the last item that fits is 6.
 const char* const full_expected[] = {
     " high1 ok high2 ok full\n",
     " low1 ok low2 ok full\n",
@@ -327,7 +328,7 @@ const char* const full_expected[] = {
 };
 
 /// A list that does not fit ends the cycle wherever it is built: in a guard, in a value that is computed from it, in a
-/// set of records, inside another list, in a value sent to another machine. Both APIs report it.
+/// set of records, inside another list, or in a value that is sent to another machine. Both APIs report it.
 TEST(Lists, NoListIsCutWithoutTheResultCapacity) {
     std::string model = full_machines;
     std::string items = "1";
@@ -346,7 +347,7 @@ TEST(Lists, NoListIsCutWithoutTheResultCapacity) {
     EXPECT_EQ(folder.run("./program"), lines);
 }
 
-/// Own types may make lists shorter, but not shorter than a list that the model contains.
+/// A user's own types may make lists shorter, but not shorter than a list that the model contains.
 TEST(Lists, OwnTypesHoldTheListsOfTheModel) {
     const ir::System system = testing::load_model(
         "package p stm M { event a : Seq(nat) initial i transition t0 { from i to A } state A { }\n"
@@ -359,7 +360,8 @@ TEST(Lists, OwnTypesHoldTheListsOfTheModel) {
     EXPECT_NE(core->text.find("Types::longest >= 3, \"a list of the model has 3 items\""), std::string::npos);
 }
 
-/// A test of membership in a literal needs no toolkit function, but the header of views includes that of the toolkits.
+/// A test of membership in a literal needs no toolkit function. But it uses the header of views, which includes the
+/// header of the toolkits.
 TEST(Lists, ViewsComeWithTheHeadersThatTheyInclude) {
     const ir::System system = testing::load_model(
         "package p stm M { event a : nat var v : nat initial i transition t0 { from i to A } state A { }\n"
@@ -369,7 +371,7 @@ TEST(Lists, ViewsComeWithTheHeadersThatTheyInclude) {
         EXPECT_EQ(std::ranges::count(emission.files, header, &OutputFile::path), 1) << header;
 }
 
-/// Whether the variable `s` of a machine is a member of the state.
+/// Returns whether the variable `s` of a machine is stored in the state.
 bool is_stored(const std::string& body) {
     const ir::System system = testing::load_model(
         "package p import sequence_toolkit::*\nstm M { event list : Seq(nat) event go event out_ : nat clock T\n"
@@ -388,7 +390,7 @@ bool is_stored(const std::string& body) {
 }
 
 /// A list is part of the state if a later cycle may read it: in a state, after a wait, in a during action, at the
-/// beginning, or in a junction whose conditions may change while control is there.
+/// beginning, or in a junction whose conditions may change while the machine waits there.
 TEST(Lists, ThatLaterCyclesReadArePartOfTheState) {
     const std::string receives = "state B { } transition t1 { from A to B trigger list?s ";
     EXPECT_FALSE(is_stored(receives + "action out_!(size(s)) } transition t2 { from B to A trigger go }"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the names of model elements in generated code. In no position is such a name a keyword, a macro of an available
+// Tests the names of model elements in generated code. Nowhere is such a name a keyword, a macro of an available
 // header, or a name that generated code uses itself. Code with such elements compiles.
 #include "cpp_emit/plan/names.hpp"
 
@@ -28,7 +28,7 @@ std::string contents(const std::string& path) {
     return text.str();
 }
 
-/// The headers of C, C++ and POSIX that scripts/reserved_names.sh includes.
+/// Returns the headers of C, C++ and POSIX that scripts/reserved_names.sh includes.
 std::string all_headers() {
     std::istringstream lines(contents("scripts/reserved_names.sh"));
     std::string headers;
@@ -78,7 +78,8 @@ TEST(Names, BoundVariablesStayApart) {
 
 // ---- names that generated code introduces
 
-/// The unqualified identifiers of C++ text outside comments, literals and directives: not after "::", "." or "->".
+/// Returns the unqualified identifiers of C++ text outside comments, literals and directives: not after "::", "." or
+/// "->".
 std::set<std::string> own_identifiers(const std::string& text) {
     std::set<std::string> found;
     std::string before;
@@ -111,7 +112,7 @@ std::set<std::string> own_identifiers(const std::string& text) {
     return found;
 }
 
-/// The marked models use these letters in the name of every element.
+/// Returns whether the word contains the letters that the names of all elements of the marked models contain.
 bool of_the_model(std::string word) {
     std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
     return word.find("zq") != std::string::npos;
@@ -122,7 +123,7 @@ bool is_numbered(const std::string& word, const std::string& stem) {
                                                  [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// Functions outside classes do not see members, so their local names hide no member.
+/// Functions outside classes do not see members, so their local names cannot hide a member.
 const std::set<std::string> apart = {
     "left", "i",     "open",      "line",         "lines", "number", "seconds", "argc",     "argv",           "message",
     "next", "main",  "nodiscard", "maybe_unused", "help",  "helped", "out",     "Base",     "Type",           "from",
@@ -135,10 +136,10 @@ void expect_listed(const Emission& emission) {
         const bool code = file.path.ends_with(".hpp") || file.path.ends_with(".cpp");
         const bool shipped = file.path.find("robochart/") != std::string::npos;
         // In projects for simulators, only robot.hpp sees members of the generated class. In a package of ROS 2, the
-        // node sees them, too; it uses names that do not occur in the class (tests/cpp_emit/ros2/node_test.cpp).
+        // node sees them, too, but its own names do not occur in the class (tests/cpp_emit/ros2/node_test.cpp).
         const bool node =
             file.path.starts_with("src/") || file.path.starts_with("include/") || file.path.starts_with("test/");
-        // python_values.hpp is in a namespace of its own.
+        // python_values.hpp has its own namespace.
         const bool project = file.path == "body.hpp" || file.path == "python_values.hpp" || node ||
                              file.path == "controller.cpp" ||
                              (file.path == "main.cpp" && file.text.find("Enki") != std::string::npos);
@@ -179,9 +180,9 @@ std::string list_names(const std::vector<std::string>& names, const std::string&
     return text;
 }
 
-/// The text of a project that uses each of the names for a package, a type, a literal, a field, an interface, a
-/// variable, a clock, an event, an operation, a parameter, a function, a state, a transition and a machine. Keywords of
-/// RoboChart get the `^` that makes them names.
+/// Returns the text of a project that uses each of the names for a package, a type, a literal, a field, an interface, a
+/// variable, a clock, an event, an operation, a parameter, a function, a state, a transition and a machine. A keyword
+/// of RoboChart gets the `^` that makes it a name.
 std::string project_with_names(const std::string& package, const std::vector<std::string>& names) {
     std::string literals = list_names(names, " ", "");
     std::string types, shown, states, uses;
@@ -236,7 +237,7 @@ void compile_all(const std::string& text, const std::string& compiler) {
     for (const ir::Machine& machine : system.machines) {
         if (machine.kind != ir::MachineKind::state_machine) continue;
         Options options;
-        if (machine.name == "OfFields") options.target = Target::main;  // it has too many values to be explored
+        if (machine.name == "OfFields") options.target = Target::main;  // too many values to be explored
         options.explored = options.target == Target::sources;
         const Emission emission = testing::emit_ok(system, testing::component_named(system, machine.name), options);
         Emission placed = emission;
@@ -257,7 +258,7 @@ std::vector<std::string> sample_names(std::span<const std::string_view> names, s
     return result;
 }
 
-/// Each compiler takes half of the sampled names.
+/// Each of the two compilers takes half of the sampled names.
 class NamesEverywhere : public ::testing::TestWithParam<const char*> {
 protected:
     [[nodiscard]] static bool is_gcc() { return std::string(GetParam()) == "g++"; }

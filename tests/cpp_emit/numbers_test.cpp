@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the arithmetic of runtime/finite.hpp with the evaluator of the semantics, for all pairs of small carriers.
-// Division in deployed code rounds like the model's.
+// Compares the arithmetic of runtime/finite.hpp with the evaluator of the semantics, for all pairs of numbers of small
+// carriers. Division in deployed code must round like the model's.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +35,7 @@ ir::Instantiation instantiation() {
     return inst;
 }
 
-/// The value of `left kind right` according to the semantics; variables 0 and 1 contain the operands.
+/// Returns the value of `left kind right` according to the semantics. Variables 0 and 1 contain the operands.
 std::int64_t evaluate_semantics(ir::ExprKind kind, ir::TypeId type, std::int64_t left, std::int64_t right) {
     static const ir::System system = ir::samples::aggregation();
     const auto operand = [&](std::uint32_t index) {
@@ -119,7 +119,7 @@ TEST(Numbers, DurationsAreNotNegative) {
     EXPECT_EQ(duration(INT64_MAX), static_cast<std::uint32_t>(INT32_MAX));
 }
 
-/// Computes with 8 bits, because all pairs of operands of such a type can be tested.
+/// Computes with 8 bits, so that all pairs of operands can be tested.
 std::int8_t fit_result(int exact, std::int8_t first) {
     return exact >= INT8_MIN && exact <= INT8_MAX ? static_cast<std::int8_t>(exact) : first;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the projects of `emit cpp --target`. Each is generated, configured, built without a warning, and run without
-// changes. Debian has no ROS 2, so its package is built with tests/cpp_emit/ros2_stub. ARGoS is used if it is
-// installed.
+// Tests the projects of `emit cpp --target`. Each project is generated, configured, built without a warning, and run
+// without changes. Debian has no ROS 2, so the ROS 2 package is built with tests/cpp_emit/ros2_stub. ARGoS is used if
+// it is installed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -121,14 +121,14 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
     EXPECT_NE(lines.find("cycle 1\n  MoveForward()\n  CheckIlluminationStatus()\n  state Forward"), std::string::npos)
         << lines;
     EXPECT_NE(lines.find("cycle 3\n  CalcAvoidanceHeading()"), std::string::npos) << lines;
-    // the answer to the first word that is no input is the list of inputs
+    // The first word that is no input is answered with the list of inputs.
     EXPECT_NE(lines.find("not an input: nothing\nusage: SwarmTaxisFSM_console "), std::string::npos) << lines;
     EXPECT_NE(lines.find("  illumination=VALUE"), std::string::npos) << lines;
     const std::string help = folder_.run("build/SwarmTaxisFSM_console --help");
     EXPECT_NE(help.find("usage: "), std::string::npos) << help;
     EXPECT_NE(help.find("true or false\n"), std::string::npos) << help;
     EXPECT_NE(help.find("\n  robotDetected\n"), std::string::npos) << help;
-    // One cycle every 0.1 s for 1.5 s; words typed in between are raised in the next cycle.
+    // One cycle runs every 0.1 s for 1.5 s. Words that are typed in between are raised in the next cycle.
     const std::string timed = folder_.run(
         "for i in 1 2 3 4 5 6 7 8 9 10; do sleep 0.15; echo robotDetected; done | build/SwarmTaxisFSM_console 100");
     EXPECT_NE(timed.find("cycle 1\n  MoveForward()"), std::string::npos) << timed;
@@ -148,7 +148,7 @@ TEST(ProjectText, APackageIsWellFormed) {
     for (const OutputFile& file : emission.files)
         if (file.path == "package.xml") text = file.text;
     ASSERT_NE(text.find("<package format=\"3\">"), std::string::npos) << text;
-    // every element is closed inside the element that opened it; the order is that of REP 149
+    // Every element must be closed inside the element that contains it. The order of the elements is that of REP 149.
     std::vector<std::string> open, order;
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
         const std::size_t end = text.find('>', at);
@@ -219,7 +219,8 @@ bool enki_is_there(const Folder& folder) {
     return folder.status("echo '#include <enki/PhysicalEngine.h>' | c++ -x c++ -fsyntax-only -", ignored) == 0;
 }
 
-/// As generated, robots report their actions and do not move. With a completed robot.hpp, twenty robots aggregate.
+/// Without changes, the generated robots report their actions and do not move. With a completed robot.hpp, twenty
+/// robots aggregate.
 TEST_F(Project, RobotsInEnki) {
     ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
     emit("aggregation", "Aggregation", Target::enki);
@@ -238,8 +239,8 @@ TEST_F(Project, RobotsInEnki) {
     double mean_x = 0, mean_y = 0, spread = 0;
     for (const auto& [x, y] : at) mean_x += x / 20, mean_y += y / 20;
     for (const auto& [x, y] : at) spread += std::hypot(x - mean_x, y - mean_y) / 20;
-    // Robots scattered over the arena are about 95 cm from their centroid; in a cluster of twenty they are 12 to 17 cm
-    // from it.
+    // Robots that are scattered over the arena are about 95 cm from their centroid. In a cluster of twenty they are 12
+    // to 17 cm from it.
     EXPECT_LT(spread, 25);
 }
 
@@ -251,7 +252,7 @@ TEST_F(Project, RobotsOfOtherModelsInEnki) {
     EXPECT_NE(output.find("robot 0: go 0.5 3"), std::string::npos) << output;
 }
 
-/// Classes and console programs of all modules in RoboTool's own models, if these are present.
+/// Builds classes and console programs of all modules in RoboTool's own models, if these are present.
 TEST(ProjectText, RoboToolsModelsOnTheConsole) {
     namespace fs = std::filesystem;
     const fs::path suite = robochart::tests::shared_folder() / "suite/robotool/accept";
@@ -263,13 +264,14 @@ TEST(ProjectText, RoboToolsModelsOnTheConsole) {
     for (const fs::directory_entry& project : fs::directory_iterator(suite))
         generated += testing::emit_all(project.path().string(), folder, options);
     EXPECT_GE(generated, 45U);
-    // Each program is one translation unit, because most of the time is spent on the standard library's headers.
+    // Each program is one translation unit, because most of the compile time is spent on the standard library's
+    // headers.
     folder.run("for d in *_" + std::to_string(static_cast<int>(ir::ComponentKind::module)) +
                "_*/; do (cd $d && cat main.cpp controller/*.cpp | c++ -std=c++17 -Wall -Wextra -Wpedantic "
                "-Wconversion -Werror -DROBOCHART_TRACE=1 -Icontroller -fsyntax-only -x c++ -) || exit 1; done");
 }
 
-/// ROBOCHART_ARGOS is the installation folder of ARGoS, found when the project was configured.
+/// ROBOCHART_ARGOS is the installation folder of ARGoS. The configuration of the project finds it.
 TEST_F(Project, APluginOfArgos) {
     const std::string prefix = ROBOCHART_ARGOS;
     if (prefix.empty()) GTEST_SKIP() << "ARGoS is not installed (-DARGoS_ROOT=PREFIX)";
@@ -279,7 +281,7 @@ TEST_F(Project, APluginOfArgos) {
     const std::string output =
         folder_.run("LD_LIBRARY_PATH=" + prefix + "/lib/argos3 " + prefix + "/bin/argos3 -n -z -c SwarmTaxisFSM.argos");
     EXPECT_NE(output.find("robot puck0: MoveForward"), std::string::npos) << output;
-    // No other robot answers: the state of Coherence waits for its heading.
+    // No other robot answers, so the state Coherence waits for its heading.
     EXPECT_NE(output.find("robot puck9: CalcCoherenceHeading"), std::string::npos) << output;
     folder_.run("grep -q '^MoveForward! CheckIlluminationStatus! tock$' puck9.trace");
 }
@@ -290,7 +292,7 @@ bool pybind_is_there(const Folder& folder) {
     return folder.status("ls " + files, ignored) == 0;
 }
 
-/// Values of all kinds go to the controller and come back.
+/// The program sends values of all kinds to the controller, which sends them back.
 const char* const values_model = R"(package p
 enumeration Light { red green }
 enumeration Order { halt go ( real , nat ) }
@@ -402,7 +404,7 @@ TEST_F(Project, AModuleOfPython) {
     folder_.run("cd build && ctest --output-on-failure");
 }
 
-/// Elements whose names are also used by the projects, the headers and generated code.
+/// Names of elements that the projects, the headers and generated code use too.
 const char* const awkward = R"(package time
 enumeration Kind { BUFSIZ EOF left }
 interface Sensors { event value : Kind event inputs event step : nat }

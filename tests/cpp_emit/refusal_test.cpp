@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models that cannot be generated are rejected with a named rule. For each rule of cpp_emit/plan/rules.hpp there is one
-// model that violates only this rule.
+// Tests that models for which no code can be generated are rejected with a named rule. For each rule of
+// cpp_emit/plan/rules.hpp there is one model that violates only this rule.
 #include "cpp_emit/plan/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::component_named;
 
-/// The codes of the findings for a component.
+/// Returns the codes of the findings for a component.
 std::vector<std::string> reported_codes(const ir::System& system, const ir::ComponentRef& ref) {
     diagnostics::Diagnostics diagnostics;
     const ir::Instantiation inst = ir::instantiate_system(system, {}, diagnostics);
@@ -67,8 +67,8 @@ TEST(Refusals, Expressions) {
     EXPECT_EQ(machine_codes("var n : nat = <1, 2>[3] state A { entry n = n }"), Codes{"RC-G05"});
 }
 
-// Preconditions that can be false: two functions whose preconditions need each other, and a deadline whose value may
-// not exist, for which no source defines a meaning.
+// These preconditions can be false. Two functions need each other in their preconditions. A deadline may have no value,
+// and no source defines what it then means.
 TEST(Refusals, Preconditions) {
     const std::string functions =
         "function f(n : nat) : nat { precondition g(n) > 0 } function g(n : nat) : nat { precondition f(n) > 0 }\n"
@@ -119,7 +119,7 @@ TEST(Refusals, Recursion) {
     entry = std::make_shared<const ir::Stmt>(sequence);
     EXPECT_EQ(reported_codes(system, component_named(system, "Aggregation")), Codes{"RC-G10"});
     EXPECT_TRUE(testing::emit_ok(system, component_named(system, "AggregationFSM")).files.size() >
-                1);  // in this component the operation belongs to the platform
+                1);  // in this component, the platform provides the operation
 }
 
 TEST(Refusals, ConditionsOnTheValueOfAnUnconnectedEvent) {
@@ -179,8 +179,8 @@ TEST(Refusals, MoreValuesThanTheExplorationInterfaceTakes) {
               Codes{"RC-G13"});
 }
 
-/// The value is one of 65,536 sets of sets of four numbers. This number of values is acceptable, but the values are
-/// long.
+/// The value is one of 65,536 sets of sets of four numbers. This number of values is acceptable, but each value has
+/// many parts.
 TEST(Refusals, ValuesOfManyPartsAreNotListed) {
     EXPECT_EQ(machine_codes("event out : Set(Set(nat)) var n : nat = 3 var s : Set(Set(nat)) state A { entry out!s }"),
               Codes{"RC-G13"});
@@ -209,7 +209,7 @@ TEST(Refusals, NeedNotBeExplored) {
 }
 
 TEST(Refusals, StatesThatGrowWithNestedOperations) {
-    // Each operation calls the previous one from two threads: 2^k frames of at least one byte.
+    // Each operation calls the previous one from two threads, so there are 2^k frames of at least one byte.
     std::string text = "package p interface I { op0()";
     for (int k = 1; k <= 17; ++k) text += " op" + std::to_string(k) + "()";
     text +=

@@ -54,7 +54,7 @@ TEST_F(Programs, EndWithAllTheyStartedWhenInterrupted) {
     limits.interrupted = [&] { return reported() > 0; };
     diagnostics::Budget budget(limits);
     EXPECT_THROW(diagnostics::run_program({"sh", "-c", endless}, log(), error_, &budget), diagnostics::LimitReached);
-    // No process waits for the orphan here. If it is gone or a zombie, it does not run.
+    // The test does not wait for the orphan process. If the process is gone or a zombie, it is not running.
     const auto runs = [&] {
         std::string skipped;
         std::string state;
@@ -78,7 +78,7 @@ TEST_F(Programs, CountWithTheMemoryOfTheRun) {
     diagnostics::Limits limits;
     limits.memory_bytes = diagnostics::resident_bytes() + (100ULL << 20U);
     diagnostics::Budget budget(limits);
-    // A grandchild fills 200 MB and then waits; the program itself stays small.
+    // A grandchild fills 200 MB and then waits. The program itself stays small.
     const std::string large = "sh -c 'x=$(head -c 200000000 /dev/zero | tr \"\\0\" x); sleep 100'; exit 0";
     EXPECT_THROW(diagnostics::run_program({"sh", "-c", large}, log(), error_, &budget), diagnostics::LimitReached);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the paper's second case study as a module. The expected outputs are derived from corpus/swarm_taxis. One cycle
-// is one time unit, the waits of Forward and Turn take one unit each, and reals are hundredths or finer
-// (rc_interface::scale).
+// Tests the second case study of the paper, swarm taxis, as a module. The expected outputs are derived from
+// corpus/swarm_taxis. One cycle is one time unit, the waits of Forward and Turn take one unit each, and reals are in
+// hundredths or finer units (rc_interface::scale).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST_F(SwarmTaxis, StartsForward) {
 }
 
 TEST_F(SwarmTaxis, ReachesCoherenceAtTimeUnit25) {
-    // T is reset in cycle 1; since(T) is k - 1 in cycle k, so the guard since(T) >= 25 first holds in cycle 26.
+    // T is reset in cycle 1, and since(T) is k - 1 in cycle k. So the guard since(T) >= 25 first holds in cycle 26.
     controller_.cycle();
     for (int cycle = 2; cycle <= 25; ++cycle) EXPECT_THAT(controller_.cycle(), IsEmpty()) << cycle;
     EXPECT_THAT(controller_.cycle(), ElementsAre("CalcCoherenceHeadingCall"));

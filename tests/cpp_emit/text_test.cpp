@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and layout of generated text.
+// Tests names and layout of generated text.
 #include <gtest/gtest.h>
 
 #include "cpp_emit/expressions/code_writer.hpp"

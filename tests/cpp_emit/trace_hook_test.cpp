@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trace hook produces no code for a platform that does not use it. It reports the taken transitions to a platform
-// that does.
+// Tests that the trace hook produces no code for a platform that does not use it. For a platform that uses it, the hook
+// reports each transition that is taken.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::Folder;
 
-/// Aggregation's core, driven by a platform with or without a method `taken`.
+/// Runs the core of aggregation with a platform with or without a method `taken`.
 class TraceHook : public ::testing::Test {
 protected:
     TraceHook() {
@@ -40,7 +40,7 @@ robochart::StepResult cycle(core::State<robochart::Deployment>& state,
 )";
     }
 
-    /// The assembly code of the machine.
+    /// Returns the assembly code of the machine.
     std::string compile_to_assembly(const std::string& options) const {
         folder_.run("c++ -std=c++17 -O2 -S " + options + " -I . user.cpp -o user.s");
         std::ostringstream text;
@@ -61,7 +61,8 @@ TEST_F(TraceHook, GeneratesNoCodeIfThePlatformHasNoHook) {
     EXPECT_NE(heard, without);
 }
 
-/// i -> S1 in the first cycle, S1 -> S2 when a robot is in sight: the numbers are indexes into the table.
+/// The machine takes i -> S1 in the first cycle, and S1 -> S2 when a robot is in sight. The reported numbers are
+/// indexes into the table.
 TEST_F(TraceHook, ALeanPlatformIsNotifiedOfTransitions) {
     std::ofstream(folder_.path() + "/main.cpp") << R"(#include <cstring>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests every form of assertion in its semantic models (docs/semantics.md, "Assertions"). The answers follow from the
-// semantics of the small machines, by hand.
+// Tests every form of assertion in its semantic models (docs/semantics.md, "Assertions"). The answers follow by hand
+// from the semantics of the small machines.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::load_model;
 
-// Ready offers a and b, and the environment chooses; Chosen chooses internally; More offers a third event.
+// Ready offers a and b, and the environment chooses. Chosen makes this choice internally. More offers a third event.
 const char* const machines = R"(
 interface I {
     event a
@@ -181,7 +181,7 @@ TEST(Assertions, PropertiesInTheFailuresModel) {
                 ElementsAre("fails"));  // the machine can terminate, and a terminated process lets no time pass
 }
 
-// A machine that terminates has ✓ in its traces. Even then, a state without incoming transitions is not reachable.
+// The traces of a machine that terminates end with ✓. Even then, a state without incoming transitions is not reachable.
 TEST(Assertions, StatesOfMachinesThatTerminate) {
     const auto m = load_model(
         "stm S { initial i state A { } state B { } final f transition t0 { from i to A } "
@@ -192,7 +192,7 @@ TEST(Assertions, StatesOfMachinesThatTerminate) {
         EXPECT_THAT(decide_obligations(*m, time), ElementsAre("holds", "holds", "fails"));
 }
 
-/// The verdicts of "C is initialised" and "C is not initialised", for a machine with this body.
+/// Returns the verdicts of "C is initialised" and "C is not initialised", for a machine with this body.
 std::vector<std::string> decide_initialisation(const std::string& body, Time time) {
     const auto m = load_model(
         "interface W { clock C }\noperation start() { requires W initial i final f "
@@ -226,7 +226,7 @@ TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
         EXPECT_THAT(check("transition t { from i to A }"), no) << "never reset, never read";
         EXPECT_THAT(check("transition t { from i to B #D }" + read), no) << "another clock";
     }
-    // In the timed semantics, the transition that resets C leaves A first; in the untimed semantics both transitions
+    // In the timed semantics, the transition that resets C leaves A first. In the untimed semantics, both transitions
     // are possible.
     const std::string race = states +
                              "transition t { from i to A } transition u { from A to B condition since(D) >= 2 } "
@@ -236,8 +236,8 @@ TEST(Assertions, ClocksAreInitialisedIfResetBeforeTheyAreRead) {
     EXPECT_THAT(decide_initialisation(race, Time::untimed), no);
 }
 
-// Laws of tick-tock (Baxter, Ribeiro, Cavalcanti): a refusal before time passes is part of a trace, a refusal before
-// another event is not.
+// Laws of tick-tock (Baxter, Ribeiro, Cavalcanti): a refusal before time passes is part of a trace, but a refusal
+// before another event is not.
 TEST(TickTock, Laws) {
     const auto m = load_model(machines, "timed csp Shift csp-begin\n-- model_shifting\ncsp-end\n");
     const auto results = decide_with(*m, Time::timed, R"(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares generated processes with CSPM that was written by hand from the reference (semantics 3.3 to 3.8). Equality
-// is refinement in both directions in the failures-divergences model.
+// Compares generated processes with CSPM that was written by hand from the reference (semantics 3.3 to 3.8). Processes
+// are equal if they refine each other in the failures-divergences model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ std::string compare_timed(const std::string& rct, const std::string& definitions
     return check_equivalence(*m, Time::timed, "S::D__(0)", "Spec", definitions);
 }
 
-/// A machine S with events a to f without values.
+/// Returns a machine S with events a to f without values.
 std::string machine(const std::string& body) {
     return "stm S {\n event a event b event c event d event f event g event n:nat event m:nat\n" + body + "}\n";
 }
@@ -75,7 +75,7 @@ TEST(States, OuterTransitionsCompeteWithInnerOnes) {
         transition t0 { from i to C }
         transition t1 { from C to D trigger a action c }
     )"),
-                              // In the inner state, `a` may trigger either transition; while `b` is offered, the outer
+                              // In the inner state, `a` may trigger either transition. While `b` is offered, the outer
                               // transition is not possible.
                               "Spec = S::a.in -> (S::b.out -> S::a.in -> S::c.out -> STOP |~| S::c.out -> STOP)"),
               "holds");
@@ -135,7 +135,7 @@ const char* const racing_machine = R"(
     )";
 
 TEST(Transitions, InnerExitsRaceWithTheStore) {
-    // semantics 3.4: the value is stored while the inner states are left; the source state's own exit action follows
+    // Semantics 3.4: the value is stored while the inner states are left. The source state's own exit action follows
     // both.
     EXPECT_EQ(compare_untimed(machine(racing_machine),
                               "Spec = S::n.in?v -> S::a.out -> (S::m.out.0 -> Rest(v) |~| S::m.out!v -> Rest(v))\n"
@@ -156,7 +156,8 @@ TEST(Transitions, AStoreIsDoneBeforeTimePasses) {
 }
 
 TEST(Transitions, DeadlinesReadTheVariableThatTheGuardAsksTheInputFor) {
-    // x is always 0, so the guard is false for the monitor, which never stops time (semantics 3.10).
+    // x is always 0, so the guard is false for the process that monitors the deadline, which never stops time
+    // (semantics 3.10).
     EXPECT_EQ(compare_timed(machine(R"(
         var x:nat
         initial i
@@ -291,7 +292,7 @@ TEST(Actions, DuringActionRunsInParallelWithInnerStates) {
 }
 
 TEST(Memory, OthersMayWriteRequiredVariablesAtAnyTime) {
-    // Reading is one hidden step; later writes of other machines do not change the value that was read.
+    // Reading is one hidden step. Later writes of other machines do not change the value that was read.
     EXPECT_EQ(compare_untimed(R"(
         interface I { var x:nat }
         stm S {
@@ -328,8 +329,8 @@ TEST(Memory, GuardsSeeExternalWrites) {
 }
 
 TEST(Memory, OthersMayWriteUntilTheArgumentsOfACallAreRead) {
-    // RoboTool: share__choice(exited -> SKIP) ; share__choice(get_x?x -> goCall.x -> SKIP), where goCall.x is outside a
-    // share__choice.
+    // RoboTool's process is share__choice(exited -> SKIP) ; share__choice(get_x?x -> goCall.x -> SKIP), in which
+    // goCall.x is outside a share__choice.
     EXPECT_EQ(compare_untimed(R"(
         interface I { var x:nat }
         interface O { go(v:nat) }
@@ -352,8 +353,8 @@ TEST(Memory, OthersMayWriteUntilTheArgumentsOfACallAreRead) {
 }
 
 TEST(Memory, OthersMayWriteAtTheExitsOfATransitionAndNotBetweenItsCalls) {
-    // Active = ENTRY ; ... share__choice(exit -> SKIP) ; EXIT ; share__choice(exited -> SKIP), then the action and
-    // enter.
+    // RoboTool's process is Active = ENTRY ; ... share__choice(exit -> SKIP) ; EXIT ; share__choice(exited -> SKIP),
+    // then the action and enter.
     EXPECT_EQ(compare_untimed(R"(
         interface I { var x:nat }
         interface O { go(v:nat) }
@@ -389,7 +390,7 @@ TEST(Operations, UndefinedOnesAreOneEvent) {
               "holds");
 }
 
-// A value that violates the condition is refused, as in a trigger: x is 1 when the machine waits for the second value.
+// As in a trigger, a value that violates the condition is refused. x is 1 when the machine waits for the second value.
 TEST(Actions, ReceiveOnlyWhatSatisfiesTheCondition) {
     EXPECT_EQ(compare_untimed(machine(R"(
         var x : nat = 1 var y : nat
@@ -515,7 +516,7 @@ TEST(Time, ATransitionsDeadlineIsWatchedWhileItsGuardHolds) {
               "holds");
 }
 
-/// While the output b waits, x is false.
+/// x is false while the machine waits to send b.
 TEST(Time, DeadlineOfATransitionRestartsWhenItsGuardIsFalse) {
     EXPECT_EQ(compare_timed(machine(R"(
         var x:boolean = true
@@ -621,7 +622,7 @@ TEST(Provenance, KeysAreWhatTheCheckerPrints) {
     }
 }
 
-/// Reals are counted in tenths here, so a whole number that is received is multiplied by ten.
+/// Reals are in tenths here, so a received whole number is multiplied by ten.
 TEST(Receptions, WholeNumbersBecomeReals) {
     const std::string body = R"(
         event high event r:real event h:real

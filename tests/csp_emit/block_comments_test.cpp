@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that declarations keep their comments when they are printed again, and that comments do not change
+// Tests that declarations keep their comments when they are printed again, and that the comments do not change the
 // declarations.
 #include "csp_emit/base/block_comments.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A constant has one name for its machine, and one name for each place in which a controller runs the machine. In
-// RoboTool's scripts a claim about a controller or a module starts with `let const_C_ref_c = const_S_c within`.
+// Tests the names of constants. A constant has one name for its machine, and one name for each place in which a
+// controller runs the machine. In RoboTool's scripts a claim about a controller or a module starts with `let
+// const_C_ref_c = const_S_c within`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -15,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A gate that opens if its limit is above 0, instantiated twice in a controller.
+/// A gate that opens if its limit is above 0. A controller instantiates it twice.
 const char* const gates = R"(
 stm Gate {
   const limit : nat

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the checks of CSP blocks that decide no assertion. Findings have places in the block and use the names of the
-// script.
+// Tests the checks of CSP blocks for which no assertion is decided. Findings have places in the block and use the names
+// of the script.
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/render.hpp"
@@ -16,7 +16,7 @@ const std::string model_text =
     "stm Switch { uses Signals initial i state Off { } state On { entry shine }\n"
     "transition t { from i to Off } transition u { from Off to On trigger press } }\n";
 
-/// The findings in one block of an assertion file about the lamp.
+/// Checks a block of an assertion file about the lamp, and stores its findings.
 class Checked {
 public:
     explicit Checked(const std::string& claims, const std::string& rct = model_text) {
@@ -26,7 +26,7 @@ public:
         check_blocks(*model_, sources_, findings_);
     }
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources_, findings_); }
-    /// "CODE@line" of each finding.
+    /// Returns "CODE@line" of each finding.
     [[nodiscard]] std::string codes() const {
         std::string result;
         for (const diagnostics::Diagnostic& finding : findings_.sorted_findings()) {

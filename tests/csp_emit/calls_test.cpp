@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests calls of defined operations (semantics 3.8). All calls share one definition, which continues after its call.
-// Specifications were written by hand from the reference; equality is refinement in both directions in the
+// Specifications were written by hand from the reference. Processes are equal if they refine each other in the
 // failures-divergences model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 namespace b = cspm::build;
 using ::testing::ElementsAre;
 
-/// A machine S in controller C as `s`, with these definitions of the operations `op` and `inner`.
+/// Returns a controller C with a machine S as `s`, and with these definitions of the operations `op` and `inner`.
 std::string with_operations(const std::string& operations, const std::string& machine) {
     return R"(
         interface E { event a event b event c event n : nat event m : nat }
@@ -58,7 +58,7 @@ TEST(Calls, ReturnToWhereTheyWereMade) {
 }
 
 // S does not call `inner`, which compares a clock of the same name with its own constant. This comparison does not
-// bound S's clock, and S does not have the constant.
+// bound the clock of S, because S does not have the constant.
 TEST(Calls, ClocksOfOperationsThatAreNotCalledAreNotTheMachines) {
     EXPECT_EQ(compare_process(with_operations(R"(
         operation op(p : nat) { uses E initial i final f transition t { from i to f } }
@@ -96,8 +96,8 @@ TEST(Calls, KeepTheCallersVariablesAndStartTheirOwnAnew) {
               "holds");
 }
 
-// The result of the operation is read only after the call, in a condition. The values that it depends on are read
-// inside the operation.
+// The machine reads the result of the operation only after the call, in a condition. The operation itself reads the
+// values on which the result depends.
 TEST(Calls, WriteResultsToTheCallersVariable) {
     const std::string reading = R"(
         uses V
@@ -126,7 +126,7 @@ TEST(Calls, WriteResultsToTheCallersVariable) {
     }
 }
 
-// The constant k is read only after the first call. After the second call it is no longer a parameter.
+// The machine reads the constant k only after the first call. After the second call, k is no longer a parameter.
 TEST(Calls, KeepConstantsWhereTheyAreRead) {
     EXPECT_EQ(compare_process(with_operations(steps, R"(
         const k : nat = 2
@@ -184,7 +184,7 @@ TEST(Calls, InDuringActionsAreCutLikeThem) {
               "holds");
 }
 
-// The operation has no access to x, and another machine may write it while the operation runs.
+// The operation has no access to x, so another machine may write x while the operation runs.
 TEST(Calls, OthersMayWriteTheCallersVariablesMeanwhile) {
     EXPECT_EQ(compare_process(with_operations(steps, R"(
         requires V
@@ -200,7 +200,7 @@ TEST(Calls, OthersMayWriteTheCallersVariablesMeanwhile) {
               "holds");
 }
 
-// Operation k calls operation k+1 twice: there are 2^30 calls, and 31 definitions.
+// Operation k calls operation k+1 twice, so there are 2^30 calls but only 31 definitions.
 TEST(Calls, AreWrittenOnceForEachOperation) {
     constexpr int depth = 30;
     std::string text = "interface E { event a }";
@@ -223,7 +223,7 @@ TEST(Calls, AreWrittenOnceForEachOperation) {
          at = script.find("_action_of_t__", at + 1))
         ++definitions;
     EXPECT_LT(definitions, 31U * 8U);
-    // The model makes 2^30 calls; the check explores only the first steps.
+    // The model makes 2^30 calls, but the check explores only the first steps.
     EXPECT_EQ(testing::decide_with(*m, Time::untimed, R"(
         P(n) = if n == 0 then STOP else C::S::a.out -> P(n - 1)
         assert C::S::D__(0) [T= P(50))"),

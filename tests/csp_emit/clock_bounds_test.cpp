@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the bounds at which clocks saturate. RoboTool's bounds use 1 in place of a divisor of 0, so a guard that no run
-// evaluates makes no claim fail. The guards themselves keep the model's divisor.
+// Tests the bounds at which clocks saturate. In these bounds, RoboTool uses 1 in place of a divisor of 0, so a guard
+// that no run evaluates makes no claim fail. The guards themselves keep the model's divisor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Constants without a value are 0, so the machine never starts to turn.
+/// Returns a machine that never starts to turn, because constants without a value are 0.
 std::string turning_machine(const std::string& bound) {
     return "stm S { event go clock C const speed : nat, half : nat initial i state Move { } state Turn { }\n"
            "transition t0 { from i to Move }\n"

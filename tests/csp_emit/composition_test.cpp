@@ -19,7 +19,7 @@ std::string check_same_process(const std::string& rct, Time time, const std::str
     return check_equivalence(*m, time, process, "Spec", definitions);
 }
 
-/// Two machines: P sends `out`, Q receives it.
+/// Two machines: P sends `out`, and Q receives it.
 const char* const pair = R"(
 controller C {
     event r
@@ -48,7 +48,7 @@ controller C {
 )";
 
 TEST(Controllers, MachinesMeetAndTerminateTogether) {
-    // The connected events and the unconnected event `lost` are hidden; both machines share one terminate.
+    // The connected events and the unconnected event `lost` are hidden. Both machines share one terminate.
     EXPECT_EQ(check_same_process(pair, Time::untimed, "C::D__(0)", "Spec = C::r.out -> C::terminate -> SKIP"), "holds");
 }
 
@@ -90,8 +90,8 @@ controller C {
 }
 )";
 
-// Semantics 3.4, During, and 3.8: the operation's steps are steps of the during action, and a transition may come
-// before each of them.
+// Semantics 3.4, During, and 3.8: the operation's steps are steps of the during action, and a transition may interrupt
+// it before each of them.
 TEST(Controller, OperationsCalledFromDuringActionsMayBeTooLate) {
     EXPECT_EQ(check_same_process(called_while_waiting, Time::untimed, "C::D__(0)", R"(
         Cut = C::c.in -> C::d.out -> STOP
@@ -137,7 +137,8 @@ TEST(Operations, DefinedOnesRunInTheirCallersPlaceAndBlockOnAFalsePrecondition) 
               "holds");
 }
 
-// An operation that the machine never calls does not bound its clock: the operation's constants are unknown there.
+// An operation that the machine never calls does not bound the machine's clock, because the machine does not have the
+// operation's constants.
 TEST(Operations, ThatAreNotCalledDoNotBoundTheClocksOfAMachine) {
     const auto m = testing::load_model(R"(
         interface Ops { op() other() }
@@ -204,7 +205,7 @@ TEST(Memory, WritesArePropagatedBeforeTimePasses) {
               "holds");
 }
 
-/// A platform variable with an initial value. It is written at the start and read at every `go`.
+/// A platform variable with an initial value. The machine writes it at the start and reads it at every `go`.
 const char* const platform = R"(
 interface V { var y : nat = 1 }
 interface E { event go event o : nat }
@@ -324,7 +325,7 @@ TEST(Modules, AsynchronousBuffersAreOverwrittenByTheNewest) {
     EXPECT_EQ(results, std::vector<std::string>(6, "holds"));
 }
 
-/// corpus/*/*.assertions state the reason of each claim.
+/// The reason of each claim is stated in corpus/*/*.assertions.
 TEST(Corpus, EveryClaimHolds) {
     for (const char* name : {"aggregation", "swarm_taxis"}) {
         for (const Time time : {Time::untimed, Time::timed}) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of language constructs: every construct that the front end accepts has CSP, untimed and timed, that parses
-// to the same tree and type checks, or it is rejected by a named rule. Constructs that the front end rejects are listed
-// with the rule. Each row is one construct of RoboChart's grammar, alone in the same model, so a failure identifies its
-// construct.
+// Tests every construct that the front end accepts: it has untimed and timed CSP, which parses to the same tree and
+// type checks, or a named rule rejects it. Constructs that the front end rejects are listed with the rule. Each row
+// adds one construct of RoboChart's grammar to the same model, so a failure identifies its construct.
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/render.hpp"
@@ -19,7 +18,7 @@ enum class At { action, condition, expression, transition, machine, state, packa
 struct Row {
     At at;
     std::string text;
-    std::string refusal = {};  ///< part of the message of a rejection; empty: the construct is accepted
+    std::string refusal = {};  ///< part of the message of a rejection; empty if accepted
 };
 
 std::string model_with(const Row& row) {
@@ -71,7 +70,7 @@ std::string model_with(const Row& row) {
     )";
 }
 
-/// Describes the problem with the row; empty if there is none.
+/// Describes the problem with the row, or returns "" if there is none.
 std::string check_row(const Row& row, Time time) {
     const auto m = testing::load_model(model_with(row));
     if (!m->diagnostics.ok()) return m->messages();

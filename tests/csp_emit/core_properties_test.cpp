@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the properties that are checked for every component. The answers for the small machines have their reasons next
-// to them.
+// Tests the properties that are checked for every component. Comments next to the answers for the small machines give
+// the reasons.
 #include "csp_emit/core_properties.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 using testing::load_model;
 using testing::Model;
 
-/// Maps "S: deadlock-free" to "holds" or "fails", followed by `(information)` if the property is not required.
+/// Maps "S: deadlock-free" to "holds" or "fails". `(information)` follows if the property is not required.
 std::map<std::string, std::string> decide_properties(const std::string& rct, Time time = Time::timed) {
     const auto read = load_model(rct);
     const Emission emission = read->emit(time, true);
@@ -85,7 +85,7 @@ transition t0 { from i to A } transition t1 { from A to B } transition t2 { from
     EXPECT_EQ(found.at("state machine S: divergence-free"), "fails");
 }
 
-/// Without the assumption, the environment could refuse every call and every output, and block time with it.
+/// Without the assumption, the environment could refuse every call and every output, and thereby stop time.
 TEST(CoreProperties, ThePlatformTakesCallsAndOutputsAtOnce) {
     const auto found = decide_properties(R"(interface I { move(x : nat) } interface V { var v : nat }
 stm S { requires I requires V event e event o : nat initial i

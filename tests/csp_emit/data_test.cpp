@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares values of expressions in the script and in the evaluator of the semantics. The expected values follow from
-// the contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics 3.13).
+// Compares the values of expressions in the script with those of the evaluator of the semantics. The expected values
+// follow from the contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics
+// 3.13).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +64,7 @@ std::string specification_of(const std::vector<Case>& cases) {
     return text + "STOP";
 }
 
-/// The evaluator's values for the outputs of the machine, in order.
+/// Returns the evaluator's values for the outputs of the machine, in order.
 std::vector<std::string> evaluate_outputs(const testing::Model& m) {
     std::vector<std::string> result;
     const ir::Machine& machine = m.system.machines.front();
@@ -185,7 +186,7 @@ TEST(Data, Sequences) {
 }
 
 TEST(Data, VectorsAndMatrices) {
-    // int is -2..2: products and sums outside leave their first operand (semantics 3.13).
+    // int is -2..2, so products and sums outside this range yield their first operand (semantics 3.13).
     expect_values({{"[|1, 2|] + [|1, -1|] == [|2, 1|]", "true"},
                    {"[|2, 2|] + [|1, -1|] == [|2, 1|]", "true"},
                    {"[|1, 2|] - [|1, -1|] == [|0, 2|]", "true"},
@@ -255,7 +256,7 @@ TEST(Assignment, OutsideTheIndicesHasNoMeaning) {
 }
 
 TEST(Preconditions, BlockTheStatement) {
-    // semantics 3.5: false & ... waits forever.
+    // Semantics 3.5: false & ... waits forever.
     EXPECT_EQ(compare_values(R"(
         var x : int
         initial j
@@ -266,7 +267,7 @@ TEST(Preconditions, BlockTheStatement) {
 }
 
 TEST(Preconditions, OfInnerCallsComeFirst) {
-    // tail(<>) has no value: only the precondition of tail may be evaluated.
+    // tail(<>) has no value, so only the precondition of tail may be evaluated.
     EXPECT_EQ(compare_values(R"(
         var s : Seq(int)
         initial j
@@ -285,7 +286,7 @@ TEST(Preconditions, UnderABinderCountForEveryValue) {
               "holds");
 }
 
-// semantics 3.5, 3.8: `pre & opCall` is urgent only while it is offered; otherwise time passes.
+// Semantics 3.5, 3.8: `pre & opCall` is urgent only while it is offered. Otherwise time passes.
 TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
     const auto m = load_model(std::string(declarations) + R"(
         interface Acts { act(n : int) }
@@ -306,7 +307,7 @@ TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
               "holds");
 }
 
-// semantics 3.10: after d, `S <{d}` is interrupted by a process that stops time, independently of S.
+// Semantics 3.10: after d, a process that stops time interrupts `S <{d}`, whatever S does.
 TEST(Preconditions, DoNotLiftADeadline) {
     for (const std::string blocked :
          {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {
@@ -321,7 +322,7 @@ TEST(Preconditions, DoNotLiftADeadline) {
     }
 }
 
-// Preconditions of functions in an operation's precondition are checked first: head(<>) has no value.
+// Preconditions of functions in an operation's precondition are checked first. Here, head(<>) has no value.
 TEST(Preconditions, OfFunctionsInAnOperationsPrecondition) {
     const auto m = load_model(std::string(declarations) + R"(
         interface O { op(n : Seq(int)) }
@@ -376,7 +377,7 @@ TEST(Postconditions, WithoutAnyValueMakeTheCheckInconclusive) {
                 HasSubstr("no value satisfies the postcondition of none"));
 }
 
-// There is one definition for each combination of types; the model's own function same_2 keeps its name.
+// There is one definition for each combination of types. The model's own function same_2 keeps its name.
 TEST(GenericFunctions, AreThereForEachOfTheirTypes) {
     const auto m = load_model(R"(
         function same(x : ?X) : ?X { postcondition result == x }
@@ -400,7 +401,7 @@ TEST(GenericFunctions, PolymorphicRecursionIsRejected) {
 }
 
 TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
-    // 0.5 makes the unit a half: the whole numbers of `w` become 0 and 20 tenths.
+    // 0.5 makes the unit a half, and the whole numbers of `w` become 0 and 20 tenths.
     const auto m = load_model(R"(
         import set_toolkit::*
         import relation_toolkit::*
@@ -420,7 +421,7 @@ TEST(Reals, SetsAndSequencesAreConvertedElementByElement) {
 }
 
 TEST(Reals, LeastAndGreatestOfASet) {
-    // Reals are tenths in the script and in the evaluator; a value that is sent as a real is converted.
+    // Reals are in tenths in the script and in the evaluator. A value that is sent as a real is converted.
     const std::pair<const char*, const char*> cases[] = {{"r ! (min({1.5, -0.5, 2}))", "-5"},
                                                          {"r ! (max({1.5, -0.5, 2}))", "20"},
                                                          {"r ! (min({1, 0.5}))", "5"},
@@ -451,7 +452,7 @@ TEST(Reals, LeastAndGreatestOfASet) {
         << m->messages();
 }
 
-// The precondition of both functions is that the set is not empty (semantics 3.5), for every type of numbers.
+// For every type of numbers, the precondition of both functions is that the set is not empty (semantics 3.5).
 TEST(Preconditions, TheEmptySetHasNoLeastElement) {
     for (const std::string type : {"nat", "int", "real"})
         for (const std::string function : {"min", "max"}) {

@@ -35,10 +35,11 @@ struct Model {
 /// Loads a file or folder.
 [[nodiscard]] std::unique_ptr<Model> project(const std::string& path);
 
-/// Appends CSPM text to the model's script and decides every assertion in it: "holds", "fails" or the reason why not
-/// decided.
+/// Appends CSPM text to the model's script and decides every assertion in it. Returns "holds", "fails" or the reason
+/// why it is undecided.
 [[nodiscard]] std::vector<std::string> decide_with(Model&, Time, const std::string& cspm);
-/// A step of the counterexample to `specification [T= process`: names of its event (also if hidden) and of its states.
+/// A step of the counterexample to `specification [T= process`: the names of its event (even if hidden) and of its
+/// states.
 struct ReportedStep {
     std::string event, state;
 };
@@ -46,9 +47,11 @@ struct ReportedStep {
                                                        const std::string& specification);
 /// Decides every assertion of a script.
 [[nodiscard]] std::vector<std::string> decide_script(const cspm::Script&);
-/// The verdict on each obligation of the model in this time: "holds", "fails", "no check: why" or another outcome.
+/// Returns the verdict on each obligation of the model in this time: "holds", "fails", "no check: why" or another
+/// outcome.
 [[nodiscard]] std::vector<std::string> decide_obligations(Model&, Time);
-/// Returns `holds` if both refinements hold in the failures-divergences model; otherwise the failure with its trace.
+/// Returns `holds` if both refinements hold in the failures-divergences model. Otherwise returns the failure with its
+/// trace.
 [[nodiscard]] std::string check_equivalence(Model&, Time, const std::string& process, const std::string& specification,
                                             const std::string& definitions);
 

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 const char* const machine =
     "stm S { event a initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger a } }";
 
-/// The verdicts of the assertions in a block; the block must type check.
+/// Returns the verdicts of the assertions in a block. The block must type check.
 std::vector<std::string> check_block(const std::string& rct, Time time, const std::string& text) {
     const auto m = testing::load_model(
         rct, std::string(time == Time::timed ? "timed" : "untimed") + " csp Own csp-begin\n" + text + "\ncsp-end\n");
@@ -38,7 +38,8 @@ TEST(BlockLibrary, NumbersOfTypes) {
         Each("holds"));
 }
 
-// Defining laws: a process that ends after d time units, and a timeout that the first event prevents.
+// The operators have defining laws: a process that ends after d time units, and a timeout that the first event
+// prevents.
 TEST(BlockLibrary, OperatorsOfTime) {
     EXPECT_THAT(
         check_block(machine, Time::timed,
@@ -73,7 +74,7 @@ TEST(BlockLibrary, FieldsOfRecords) {
                             "assert not STOP [T= (if One_only(update_One_only(0,1)) == 1 then yes -> STOP else STOP)\n"
                             "assert Q [T= S::D__(0)\nassert S::D__(0) [T= Q \\ {S::terminate}"),
                 Each("holds"));
-    // A block may define these names itself.
+    // A block may redefine these names.
     EXPECT_THAT(check_block(rct, Time::untimed,
                             "R_p(x) = 7\nchannel yes\n"
                             "assert not STOP [T= (if R_p((1,1)) == 7 then yes -> STOP else STOP)"),
@@ -105,7 +106,7 @@ TEST(BlockLibrary, ARecordWithoutAFieldHasItsDefault) {
 }
 
 // RoboTool's scripts pass the constants of their parts to modules and controllers. A block may define only these
-// constants. It may also define only the machine's constant, which then applies to the part.
+// constants. It may also define only the machine's constant, which then applies to the part too.
 TEST(BlockLibrary, ConstantsOfPartsCountInClaims) {
     for (const char* const constant : {"const_C_r_k", "const_S_k"}) {
         const auto m = testing::load_model(
@@ -118,7 +119,7 @@ TEST(BlockLibrary, ConstantsOfPartsCountInClaims) {
     }
 }
 
-// RoboTool does not check contracts: an error in a contract removes this contract only.
+// RoboTool does not check contracts, so an error in a contract only removes this contract.
 TEST(BlockLibrary, AWrongContractIsNone) {
     const auto m = testing::load_model(
         "function f(x : int, y : int) : nat { precondition x > 0 postcondition result == {x, y} } "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests `event E is missed in S for N time units` (docs/assertions.md, "Missed events"). The answers follow from the
-// waits of the small machines, by hand.
+// Tests `event E is missed in S for N time units` (docs/assertions.md, "Missed events"). The answers follow by hand
+// from the waits of the small machines.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::load_model;
 
-/// A machine that goes from Moving::Go to Moving::Busy with `go`, and from Moving to Halted with `stop`, with these
-/// parts.
+/// Returns a machine with these parts. `go` leads from Moving::Go to Moving::Busy, and `stop` leads from Moving to
+/// Halted.
 std::string moving_machine(const std::string& busy, const std::string& rest = "", const std::string& trigger = "stop") {
     return "interface O { act() turn() }\nstm S { requires O event go event stop event out var n : nat = 0 initial i "
            "state Moving { initial j state Go { } state Busy { " +
@@ -64,7 +64,7 @@ TEST(MissedEvents, AreNoneWhereTheStateWaits) {
                 ElementsAre("fails", "holds"));
 }
 
-/// Busy is left and entered again immediately, but the event is offered in between.
+/// The machine leaves Busy and enters it again immediately, but offers the event in between.
 TEST(MissedEvents, AStateThatIsPassedTakesTheEvent) {
     EXPECT_THAT(decide_missed(moving_machine("entry wait(2)"), claim_text("S::Moving", 2) + claim_text("S::Moving", 3)),
                 ElementsAre("fails", "holds"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests name clashes. Compares names that CSP blocks define and names of model elements with every name that CSPM
-// predefines and every name of the library. The generated part must keep its meaning, and definitions that a block
+// Tests name clashes. Compares the names that CSP blocks define, and the names of model elements, with every name that
+// CSPM predefines and every name of the library. The generated part must keep its meaning, and definitions that a block
 // makes for the model must take effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ using random_models::is_long_run;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Every predefined name of CSPM that a block can declare (keywords excluded), and every name of our library.
+/// Returns every predefined name of CSPM that a block can declare (without keywords), and every name of this program's
+/// library.
 std::set<std::string> taken_names() {
     std::set<std::string> result = library_names();
     for (const cspm::BuiltinName& builtin : cspm::builtin_names()) result.emplace(builtin.name);
@@ -66,7 +67,7 @@ const char* const claims = R"(
     untimed assertion Free : S is divergence-free
 )";
 
-/// Tries each name in a quarter of the forms; with ROBOCHART_SEEDS in all forms.
+/// Tries each name in a quarter of the forms. With ROBOCHART_SEEDS, tries all forms.
 TEST(NameClashes, DeclarationsOfBlocksDoNotChangeTheLibrary) {
     const char* const forms[] = {
         "NAME(_) = error(\"captured\")",
@@ -97,7 +98,7 @@ TEST(NameClashes, DeclarationsOfBlocksDoNotChangeTheLibrary) {
                 if (section && (name == "OneStep" || std::string(form).find("module") != std::string::npos)) continue;
                 std::string text = block;
                 text.replace(text.find("TEXT"), 4, insert_name(form, name));
-                // All blocks are type checked; every 97th is also decided.
+                // All blocks are type checked, and every 97th block is also decided.
                 const bool decide = ++number % 97 == 0;
                 const auto m = testing::load_model(variety, text + claims);
                 ASSERT_TRUE(m->diagnostics.ok()) << m->messages();
@@ -116,8 +117,8 @@ TEST(NameClashes, DeclarationsOfBlocksDoNotChangeTheLibrary) {
     }
 }
 
-/// Decides the claims for every third name that an Instantiations block defines as a function; with ROBOCHART_SEEDS for
-/// all names.
+/// Decides the claims for every third name that an Instantiations block defines as a function. With ROBOCHART_SEEDS,
+/// decides them for all names.
 TEST(NameClashes, InstantiationsDoNotChangeVerdicts) {
     std::size_t turn = 0;
     for (const std::string& name : taken_names()) {
@@ -286,13 +287,13 @@ const char* const everywhere[] = {
     "transition t0 { from i to A } }",
     "stm S { event e : nat initial i state A { entry e ! (let NAME == 1 @ NAME + 1) } transition t0 { from i to A"
     " } }",
-    // clashing names: an event, its machine, a part, a state, a function
+    // the name is that of an event, its machine, a part, a state and a function
     "function NAME(n : nat) : nat { } controller K { event NAME : nat stm NAME { event NAME : nat initial i state"
     " NAME { entry NAME ! NAME(1) } transition t0 { from i to NAME } } connection NAME on NAME to K on NAME }",
 };
 
-/// If the name rules accept the model, no name in its scripts is captured. The models differ only in one name, so only
-/// some of them are type checked and parsed again.
+/// Checks that no name in the model's scripts is captured, if the name rules accept the model. The models differ only
+/// in one name, so only some of them are type checked and parsed again.
 void expect_apart(const std::string& text, bool and_read_again) {
     const auto m = testing::load_model(text);
     if (!m->diagnostics.ok()) return;  // rejected by the name rules: no script is generated
@@ -309,7 +310,8 @@ void expect_apart(const std::string& text, bool and_read_again) {
     }
 }
 
-/// Tries each name in a sixth of the positions, which rotate from name to name; with ROBOCHART_SEEDS in all positions.
+/// Tries each name in a sixth of the positions, which rotate from name to name. With ROBOCHART_SEEDS, tries all
+/// positions.
 TEST(NameClashes, EveryNameIsValidInEveryPosition) {
     const std::size_t share = is_long_run() ? 1 : 6;
     std::size_t number = 0;
@@ -411,7 +413,7 @@ TEST(NameClashes, EveryNameIsValidInEveryPosition) {
     }
 }
 
-// A reference to S denotes the first of two machines. The script contains both.
+// A reference to S denotes the first of two machines, but the script contains both.
 TEST(NameClashes, ScriptContainsBothMachinesOfTheSameName) {
     const auto m = testing::model_of(
         {{"a.rct", "stm S { event a initial i state A { entry a } transition t { from i to A } }"},

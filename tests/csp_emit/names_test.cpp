@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests names and signatures of RoboTool's scripts that CSP blocks may use (semantics 3.2, 3.12, 3.13). All of them
-// exist and have RoboTool's meaning.
+// must exist and have RoboTool's meaning.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -108,7 +108,7 @@ module M {
 struct Use {
     const char* name;
     Time time;
-    const char* text;  ///< a CSP block; all its assertions hold
+    const char* text;  ///< a CSP block; all of its assertions must hold
 };
 
 void PrintTo(const Use& use, std::ostream* out) {
@@ -229,9 +229,9 @@ TEST(Constants, CountWhereAnAssertionSetsThem) {
             connection c on a to r on a ( _async )
         }
     )";
-    // c is the platform's constant in the module, the controller's in the controller, and its own in the machine alone.
-    // A value that is set for a machine applies to its uses, unless an enclosing component provides the required
-    // constant.
+    // In the module, c is the platform's constant. In the controller, it is the controller's constant. In the machine
+    // alone, it is the machine's own. A value that is set for a machine applies to all uses of the machine, unless an
+    // enclosing component provides the required constant.
     const std::map<std::string, std::set<std::string>> counts{{"S", {"S"}},
                                                               {"C", {"C", "C::s"}},
                                                               {"C::s", {"C", "C::s", "S"}},
@@ -300,7 +300,7 @@ const char* const variety = R"(
         connection S on p to K on p
     })";
 
-/// Names in the script that are not qualified with `::`.
+/// Returns the names in the script that are not qualified with `::`.
 std::set<std::string> plain_names(const std::string& text) {
     std::set<std::string> result;
     const auto part = [&](std::size_t at) {
@@ -317,7 +317,7 @@ std::set<std::string> plain_names(const std::string& text) {
     return result;
 }
 
-// Event names that have a meaning in CSPM or are names of generated parameters.
+// Events have names that have a meaning in CSPM or are names of generated parameters.
 TEST(Names, OfEventsMayBeThoseOfParameters) {
     for (const std::string name : {"out", "x", "x__", "in__", "e__", "id__", "v_v", "tock", "tock_", "step__", "r__"}) {
         const auto m = testing::load_model("stm S { event " + name + " : nat var v : nat initial i state A { } " +
@@ -329,7 +329,7 @@ TEST(Names, OfEventsMayBeThoseOfParameters) {
             cspm::check_types(emission.script, m->diagnostics);
             ASSERT_TRUE(m->diagnostics.ok()) << name << m->messages();
         }
-        // The events of t0 and t1 alternate: two events are received, so the process is different from STOP.
+        // The events of t0 and t1 alternate. Two events are received, so the process differs from STOP.
         const std::string question =
             "RECEIVED = (|~| e : diff(S::sem__events, {S::terminate}) @ e -> RECEIVED)\n"
             "assert RECEIVED [F= S::D__(0) \\ {S::terminate}\nassert STOP [T= S::D__(0)";
@@ -340,9 +340,9 @@ TEST(Names, OfEventsMayBeThoseOfParameters) {
     }
 }
 
-// A channel, constructor or function that a block declares does not affect the generated part. A duplicate declaration
-// at the top level, for a name of RoboTool's, is an error with its place in the block. All other blocks type check and
-// keep the meaning of the script.
+// A channel, constructor or function that a block declares does not affect the generated part. If a block declares a
+// name of RoboTool's scripts again at the top level, the error has its place in the block. All other blocks type check
+// and keep the meaning of the script.
 TEST(Names, OfBlocksAreApartFromGeneratedOnes) {
     const auto plain = testing::load_model(variety);
     ASSERT_TRUE(plain->diagnostics.ok()) << plain->messages();

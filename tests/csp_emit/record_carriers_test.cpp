@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CSP blocks may use the carriers of records: `P_R` is the set of values of the record R of package P.
+// Tests that CSP blocks may use the carriers of records: `P_R` is the set of values of the record R of package P.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(Records, AreCarriersInBlocks) {
 }
 
 // A block may define the name with fewer values. If a component, an enumeration or a constant has the same name, the
-// block's name means that element.
+// name denotes that element in the block.
 TEST(Records, GiveWayToOtherNames) {
     const auto narrowed = testing::load_model(
         copier, block("nametype Data_Pair = {(0, true)}\n"

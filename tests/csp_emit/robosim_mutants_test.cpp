@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrong readings of RoboSim, planted in the text of the emitted script (docs/robosim.md, "Meaning"): each makes a small
-// model differ from its specification, which follows from the rules. The wrong readings are those that the reference
-// warns of, and natural mistakes in the frame of cycles.
+// Tests wrong interpretations of RoboSim, which are planted in the text of the emitted script (docs/robosim.md,
+// "Meaning"). Each makes a small model differ from its specification, which follows from the rules. The reference warns
+// of some of these interpretations; the others are natural mistakes in the control cycle.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,13 +16,13 @@ namespace {
 
 using testing::Model;
 
-/// A model and a process that it equals in failures and divergences.
+/// A model, and a process to which it is equal in failures and divergences.
 struct Claimed {
     std::string model, specification;
     std::string component = "S";
 };
 
-/// A replacement in the text of the script, everywhere.
+/// Replaces a text everywhere in the script.
 struct Edit {
     std::string from, to;
 };
@@ -43,7 +43,7 @@ std::string replace_all(std::string text, const Edit& edit) {
     return text;
 }
 
-/// The verdicts on both refinements, after the edits.
+/// Returns the verdicts on both refinements, after the edits.
 std::vector<std::string> decide(const Claimed& claimed, const std::vector<Edit>& edits) {
     const auto model =
         testing::model_of({{"model.rst", claimed.model},
@@ -86,7 +86,7 @@ const Claimed stuck{machine("event e", "",
                             "transition t1 { from A to A exec condition $e }"),
                     "Spec = S::registerRead.S::i_e?full -> if full then S::endexec -> tock -> Spec else STOP"};
 
-/// $e is tested twice in a cycle.
+/// The machine tests $e twice in a cycle.
 const Claimed tested{machine("event e", "event o event p",
                              "state A { } state B { } state D { } transition t0 { from i to A } "
                              "transition t1 { from A to B condition $e action $o } "
@@ -105,7 +105,7 @@ const Claimed stored{machine("event e : boolean", "event o : boolean",
                      "Run(full,x) = S::endexec -> tock -> S::registerRead.S::i_e?f?y -> "
                      "if full then S::registerWrite.S::o_o!x -> Run(f,y) else Run(f,y)"};
 
-/// The value of an empty register is arbitrary, and stored.
+/// The value of an empty register is arbitrary. The machine stores it.
 const Claimed arbitrary{machine("event e : boolean", "event o : boolean",
                                 "var v : boolean state A { } transition t0 { from i to A } "
                                 "transition t1 { from A to A condition not $e?v action $o!v ; exec } "
@@ -195,7 +195,7 @@ const Claimed together{ending_parts,
                        "Last = C::endexec -> (C::terminate -> SKIP [] tock -> Last)",
                        "C"};
 
-/// A variable of the controller, which one machine changes and another reads.
+/// One machine changes a variable of the controller, and another machine reads it.
 const Claimed shared{
     "interface I { var x : boolean = false }\n"
     "stm S { cycleDef cycle == 1 input context { } output context { requires I } initial i "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The published claims about RoboSim in ../shared/suite/robosim: every row of EXPECTED.tsv that holds as worded.
+// Decides the published claims about RoboSim in ../shared/suite/robosim: every row of EXPECTED.tsv that holds as
+// worded.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -47,7 +48,7 @@ std::vector<Row> rows_of(const fs::path& table) {
     return result;
 }
 
-/// Decides the claim as it is worded: negated claims hold if what they deny fails.
+/// Decides the claim as it is worded: a negated claim holds if the denied claim fails.
 std::string decide(const Emission& emission, const ir::System& system, const std::string& file,
                    const std::string& claim) {
     cspm::Session session(emission.script);
@@ -67,7 +68,7 @@ std::string decide(const Emission& emission, const ir::System& system, const std
     return "there is no such claim";
 }
 
-/// The published claims that take a second or less.
+/// Decides the published claims that take a second or less.
 TEST(RoboSimSuite, EveryQuickClaimHoldsAsWorded) {
     const fs::path folder = tests::shared_folder() / "suite/robosim";
     if (tests::shared_folder().empty() || !fs::exists(folder / "EXPECTED.tsv"))
@@ -76,12 +77,12 @@ TEST(RoboSimSuite, EveryQuickClaimHoldsAsWorded) {
     std::size_t decided = 0;
     for (const Row& row : rows_of(folder / "EXPECTED.tsv")) {
         if (row.expected != "holds as worded" || row.seconds == "> 60" || !row.file.ends_with(".rsa")) continue;
-        // its file has errors in other machines (RC-Y05, RC-T08)
+        // the file has errors in other machines (RC-Y05, RC-T08)
         if (row.file.find("AutonomousSegregation") != std::string::npos) continue;
         auto& model = models[row.file];
         if (!model) {
             model = testing::project((folder / row.file).string());
-            // the expected verdicts are for constants of 1; with the default 0, PI / av has no value
+            // the expected verdicts assume constants of 1, because with the default 0, PI / av has no value
             if (row.file.ends_with("rc2rs.rsa"))
                 model->instantiation = ir::instantiate_system(
                     model->system, {{{"PI", "1"}, {"av", "1"}, {"lv", "1"}}, {}}, model->diagnostics);
@@ -96,7 +97,7 @@ TEST(RoboSimSuite, EveryQuickClaimHoldsAsWorded) {
     EXPECT_GE(decided, 59U);
 }
 
-/// The constructors in a set like RegisterInputs of our component.
+/// Returns the constructors in a set such as RegisterInputs of this program's component.
 std::vector<std::string> constructors_of(const Emission& ours, const std::string& name) {
     std::vector<std::string> result;
     if (const cspm::DeclPtr decl = cspm::declaration_of(ours.definitions, name); decl && decl->body)
@@ -104,7 +105,7 @@ std::vector<std::string> constructors_of(const Emission& ours, const std::string
     return result;
 }
 
-/// Our process with RoboTool's names.
+/// Returns this program's process with RoboTool's names.
 cspm::ExprPtr with_their_names(const Emission& ours, const std::string& path, const cspm::ExprPtr& process) {
     std::vector<cspm::Link> links;
     const auto event = [&](const std::string& prefix, const char* channel, const std::string& constructor) {
@@ -116,19 +117,20 @@ cspm::ExprPtr with_their_names(const Emission& ours, const std::string& path, co
     };
     add("registerRead", constructors_of(ours, path + "::RegisterInputs"));
     add("registerWrite", constructors_of(ours, path + "::RegisterOutputs"));
-    if (path.find("::") != std::string::npos)  // a module and a simulation hide these
+    if (path.find("::") != std::string::npos)  // a module and a simulation hide these events
         for (const char* channel : {"endexec", "terminate"})
             links.push_back({b::name("ours__::" + path + "::" + channel), b::name(path + "::" + channel)});
     return b::rename(process, links);
 }
 
-/// RoboTool's script of the ranger: its machine, its controller, its module, and the simulation of its RoboChart model.
+/// Compares with RoboTool's scripts of the ranger: its machine, its controller, its module, and the simulation of its
+/// RoboChart model.
 TEST(RoboSimSuite, ProcessesAreThoseOfRoboToolsScripts) {
     const fs::path folder = tests::shared_folder() / "suite/robosim/robotool-csp/SRangerRC2RS";
     if (tests::shared_folder().empty() || !fs::exists(folder)) GTEST_SKIP() << "../shared/suite/robosim is not there";
     const auto model = testing::project((folder / "checks.rsa").string());
     Options whole;
-    whole.share_modules = false;  // modules of our script become part of another one
+    whole.share_modules = false;  // because modules of this script become part of another script
     const Emission ours =
         emit(model->system, model->instantiation, Time::timed, whole, model->sources, model->diagnostics);
     const auto theirs = cspm::read_file(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the meaning of RoboSim (docs/robosim.md): compares small models with processes written by hand from its rules.
-// Each specification follows from the rule that its test names.
+// Tests the meaning of RoboSim (docs/robosim.md). Compares small models with processes that were written by hand from
+// its rules. Each specification follows from the rule that its test names.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ std::unique_ptr<Model> load(const std::string& rst, const std::string& rsa = "")
     return model;
 }
 
-/// "holds" if the component has exactly the behaviour of Spec in failures and divergences, with variables as parameters
-/// and in memory processes.
+/// Returns "holds" if the component has exactly the behaviour of Spec in failures and divergences. Tries variables as
+/// parameters and in memory processes.
 std::string compare(const std::string& rst, const std::string& specification, const std::string& component = "S") {
     const auto model =
         load(rst, "csp Spec csp-begin\n" + specification + "\ncsp-end\nassertion A : " + component + " equals Spec\n");
@@ -344,7 +344,7 @@ const char* const chart =
     "stm M { event e event o initial i state A { } transition t0 { from i to A } "
     "transition t1 { from A to A trigger e action o } }\n";
 
-/// The claims about a machine S with this body and the simulation N of the RoboChart machine M.
+/// Returns the verdicts on the claims about a machine S with this body and the simulation N of the RoboChart machine M.
 std::vector<std::string> against_chart(const std::string& body, const std::string& claims) {
     const auto model = testing::model_of({{"chart.rct", chart},
                                           {"model.rst", machine("event e", "event o", body)},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names in CSP blocks from earlier versions of RoboTool's generators. Each name is reported with its current form, and
-// the fix preserves the meaning of the script.
+// Tests names in CSP blocks that earlier versions of RoboTool's generators used. Each name is reported with its current
+// form, and the fix preserves the meaning of the script.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ std::string claim_text(const std::string& form) {
     return "untimed assertion A : Tower::Lift " + form + "\n";
 }
 
-/// Applies the fixes of the findings repeatedly until none is left; returns the assertions.
+/// Applies the fixes of the findings repeatedly until none is left. Returns the assertions.
 std::string apply_all_fixes(std::string assertions) {
     for (int round = 0; round < 5; ++round) {
         const auto m = testing::load_model(lift, assertions);
@@ -63,7 +63,7 @@ TEST(OldNames, AreReportedWithTodays) {
                                          "to an older generator; its name is now Tower::Lift::up"));
 }
 
-// Every form in the table of docs/robotool.md; the fixes preserve the meaning of the block.
+// Tests every form in the table of docs/robotool.md. The fixes preserve the meaning of the block.
 TEST(OldNames, AreReplacedByTheirFixes) {
     const std::string now = apply_all_fixes(
         block_text("Spec = Lift_up.in -> Tower_Lift_pullCall.1 -> Lift_pullRet -> Lift::floor.in?x -> Spec\n"
@@ -107,7 +107,7 @@ TEST(OldNames, ThatABlockDeclaresAreItsOwn) {
     EXPECT_TRUE(m->diagnostics.ok()) << m->messages();
 }
 
-// `at` is private: no version of the generator exported such a name.
+// `at` is private, and no version of the generator exported such a name.
 TEST(OldNames, OfWhatIsNotThereAreUnknown) {
     const auto m = testing::load_model(lift, block_text("Spec = Lift_at -> Spec") + claim_text("is deadlock-free"));
     const Emission emission = m->emit(Time::untimed);

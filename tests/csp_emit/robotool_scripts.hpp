@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboTool's scripts and ours in one script.
+// Joins RoboTool's script and this program's script to one.
 #pragma once
 
 #include <set>
@@ -10,9 +10,10 @@
 
 namespace robochart::csp_emit::testing {
 
-/// The names that the declarations define.
+/// Returns the names that the declarations define.
 [[nodiscard]] std::set<std::string> names_of(const std::vector<cspm::DeclPtr>& decls);
-/// RoboTool's script followed by our components in a separate module `ours__`, with the definitions that they need.
+/// Returns RoboTool's script followed by this program's components in a separate module `ours__`, with the definitions
+/// that they need.
 [[nodiscard]] cspm::Script join_scripts(const cspm::Script& theirs, const Emission& ours);
 
 }  // namespace robochart::csp_emit::testing

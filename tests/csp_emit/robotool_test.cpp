@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares our processes with RoboTool's own scripts for the same models. Each refines the other in the
+// Compares this program's processes with RoboTool's own scripts for the same models. Each refines the other in the
 // failures-divergences model under RoboTool's instantiations. The scripts are shared reference material.
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ struct Component {
     ExprPtr process;   ///< C::stm0::D__(0, constants...)
 };
 
-/// All components, taken from the assertions generated for them.
+/// Returns all components, taken from the assertions that are generated for them.
 std::vector<Component> components_of(const Emission& ours) {
     std::vector<Component> result;
     for (const Obligation& obligation : ours.obligations)
@@ -44,7 +44,7 @@ std::vector<Component> components_of(const Emission& ours) {
     return result;
 }
 
-/// The channels of the component's sem__events.
+/// Returns the channels of the component's sem__events.
 std::vector<std::string> alphabet_of(const cspm::Script& script, const std::string& path) {
     const DeclPtr events = cspm::declaration_of(script, path + "::sem__events");
     EXPECT_TRUE(events) << path;
@@ -69,14 +69,15 @@ void narrow_carriers(cspm::Script& script) {
     }
 }
 
-/// The representation of our variables: parameters of the machine's process, or separate memory processes.
+/// How this program's scripts represent variables: as parameters of the machine's process, or in separate memory
+/// processes.
 enum class Variables { parameters, memories };
 
 using Case = std::tuple<std::string, Time, Variables>;
 
 class RoboTool : public ::testing::TestWithParam<Case> {};
 
-/// Checks both refinements for every component of the model, with other values for some constants.
+/// Checks both refinements for every component of the model. Some constants have other values than the default.
 void compare_components(testing::Model& m, Time time, Variables variables, const std::string& script_path,
                         const std::map<std::string, std::int64_t>& constants = {}) {
     const Emission ours = variables == Variables::memories ? m.emit_with_memories(time, true) : m.emit(time, true);
@@ -94,8 +95,8 @@ void compare_components(testing::Model& m, Time time, Variables variables, const
         const ExprPtr own = b::rename(call_process(component.process, "ours__::" + component.name + "::D__"), links);
         const ExprPtr other = call_process(component.process, component.name + "::O__");
         cspm::Script script = join_scripts(theirs, ours);
-        // Checked alone, this machine has four variables that the environment may set to any value. RoboTool's script
-        // takes seconds with few values and minutes with all of them.
+        // If this machine is checked alone, the environment may set four of its variables to any value. RoboTool's
+        // script takes seconds with few values and minutes with all of them.
         if (component.name == "ObsDetector::ObsDetect" && std::getenv("ROBOCHART_SLOW") == nullptr)
             narrow_carriers(script);
         script.decls.push_back(b::assert_refines(own, cspm::Model::failures_divergences, other));
@@ -168,7 +169,7 @@ const std::string models[] = {"example1_ddl",
                               "example_robot2",
                               "example_robot_DDLK"};
 
-// All models of the folder except example9_empty_stm, whose file is empty.
+// Tests that all models of the folder are compared, except example9_empty_stm, whose file is empty.
 TEST(RoboToolScripts, EveryModelWithContentIsCompared) {
     const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp/models";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "no shared scripts at " << root;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the structure of generated scripts: they parse to the same tree and use RoboTool's names. The generator names
-// the element that it rejects.
+// Tests the structure of generated scripts: they parse to the same tree and use RoboTool's names. If the generator
+// rejects an element, it names it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ using testing::load_model;
 using ::testing::Not;
 using testing::project;
 
-/// The script's text, after a check that it parses to the same tree.
+/// Checks that the script's text parses to the same tree, and returns the text.
 std::string print_checked(testing::Model& model, Time time) {
     const Emission emission = model.emit(time, true);
     EXPECT_TRUE(model.diagnostics.ok()) << model.messages();
@@ -79,7 +79,7 @@ TEST(Script, UsesRoboToolsNames) {
 }
 
 TEST(Script, ParametersAvoidNamesOfEvents) {
-    // A parameter with the name of a channel would be a pattern that matches only the channel.
+    // A parameter with the name of a channel would be a pattern that matches only this channel.
     const auto m = load_model(R"(
         stm S {
             event v_x
@@ -115,7 +115,7 @@ TEST(Script, VariablesThatNothingReadsAreNotKept) {
 }
 
 TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
-    // In B and after it, x is overwritten before it is read; in A the guard reads it.
+    // In B and after it, x is overwritten before it is read. In A, the guard reads x.
     const auto m = load_model(R"(
         stm S {
             event a : nat
@@ -133,7 +133,8 @@ TEST(Script, ValuesThatDoNotMatterAnyMoreAreDropped) {
     EXPECT_THAT(text, HasSubstr("B__ ="));
 }
 
-// Every call of an operation with a large variable refers to its default by name; the table of 49 zeros occurs once.
+// Every call of an operation with a large variable refers to its default by name, so the table of 49 zeros occurs only
+// once.
 TEST(Script, LargeDefaultsAreWrittenOnce) {
     const auto m = load_model(R"(
         interface Ops { walk() }
@@ -172,7 +173,7 @@ TEST(Script, LargeDefaultsAreWrittenOnce) {
 
 TEST(Liveness, GoesBackwardsAlongCalls) {
     namespace b = cspm::build;
-    // P passes x to Q as y, Q passes y on to R, and R outputs it; z is never read.
+    // P passes x to Q as y, Q passes y on to R, and R outputs it. No function reads z.
     FamilyCalls calls;
     std::vector<Function> family{
         {"P", {}, b::prefix(b::name("a"), calls.add_call("Q", {{"y", b::name("x")}, {"z", b::name("x")}}))},
@@ -209,8 +210,8 @@ TEST(Liveness, ClocksThatACallDoesNotSpeakOfCountOnWithTime) {
     EXPECT_EQ(cspm::print(family[1].body), "c == n & P(c, n)");
 }
 
-// O is called from A, where x is read after the call, and from B, where x is not read after the call. The call from B
-// need not pass x.
+// O is called from A and from B. x is read after the call from A, but not after the call from B, so the latter need not
+// pass x.
 TEST(Liveness, ASharedFunctionTakesFromEachCallOnlyWhatIsReadBehindIt) {
     namespace b = cspm::build;
     const auto there = [](int place) { return b::sequence({b::number(place)}); };
@@ -287,8 +288,8 @@ TEST(Provenance, TellsEventsAndPlacesInTheModelsWords) {
     EXPECT_THAT(provenance.definitions.at("S::A__").parameters, ElementsAre("x"));
 }
 
-// The script defines a machine once. A module with the same name, a machine whose name has the same ending, and the
-// instances of the machine have distinct names.
+// The script defines a machine only once. A module with the same name, a machine whose name has the same ending, and
+// the instances of the machine have distinct names.
 TEST(Provenance, IsThereForEveryPlaceOfAMachine) {
     const auto m = load_model(R"(
         module M {
@@ -321,7 +322,7 @@ TEST(Provenance, IsThereForEveryPlaceOfAMachine) {
               std::vector<std::string>{"holds"});
 }
 
-/// The channels of modules, by their qualified names.
+/// Adds the channels of modules, by their qualified names.
 void collect_channels(const std::vector<cspm::DeclPtr>& decls, const std::string& path, std::vector<std::string>& out) {
     for (const cspm::DeclPtr& decl : decls) {
         const std::string inside = decl->kind == cspm::DeclKind::module ? path + decl->names.front() + "::" : path;
@@ -373,7 +374,7 @@ TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
     for (const bool memories : {false, true})
         for (const Time time : {Time::untimed, Time::timed}) {
             Options options;
-            options.share_modules = false;  // unshared, so that every instance has its channels
+            options.share_modules = false;  // no sharing, so that every instance has its channels
             if (memories) options.states_of_a_process = 0;
             const Emission emission = emit(m->system, m->instantiation, time, options, m->sources, m->diagnostics);
             std::vector<std::string> channels;
@@ -394,7 +395,7 @@ TEST(Rules, ConstantsWithoutAValueAreRefused) {
     EXPECT_THAT(m->codes(), ::testing::Contains("RC-C01"));
 }
 
-/// An operation that uses an event and a variable of its caller.
+/// Returns a system with an operation that uses an event and a variable of its caller.
 ir::System calling_system() {
     ir::System system = ir::samples::aggregation();
     ir::Event tick;
@@ -448,7 +449,7 @@ TEST(Rules, TooManyCombinationsOfDuringActionsAreRefused) {
     EXPECT_THAT(m->codes(), ElementsAre("RC-C06"));
 }
 
-// Each pair of elements would have the same name in CSPM. Both are used, and their behaviours stay distinct.
+// The two elements of each pair would have the same name in CSPM. Both are used, and their behaviours stay distinct.
 TEST(Rules, NamesThatTwoElementsWouldShareGetANumber) {
     const auto m = load_model(R"(
         type K

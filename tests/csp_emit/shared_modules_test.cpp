@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that modules with equal text become instances of one parameterised module and keep their names, if names in the
-// text keep their meaning.
+// Tests that modules with equal text become instances of one parameterised module. They keep their names, if names in
+// the text keep their meaning.
 #include "csp_emit/passes/shared_modules.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Long enough to be worth sharing.
+/// A text that is long enough to be worth sharing.
 const std::string body = R"(
     datatype TIDS = TID_t0 | TID_t1 | TID_t2 | TID_t3 | TID_t4 | TID_t5 | TID_t6 | TID_t7 | TID_t8 | TID_t9
     channel internal__ : TIDS
@@ -79,7 +79,7 @@ TEST(SharedModules, AreThoseThatSaveTheMost) {
     EXPECT_THAT(text, Not(HasSubstr("m__(u__)")));
 }
 
-// The machine occurs alone, in its controller, and in the controller of a module, and is shared. A controller that
+// The machine occurs alone, in its controller, and in the controller of a module, so it is shared. A controller that
 // contains an instance is not shared.
 TEST(SharedModules, HaveNoInstancesInside) {
     const std::string machine = "module m\nexports" + body;

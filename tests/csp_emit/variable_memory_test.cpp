@@ -21,7 +21,7 @@ Remembered make_remembered(const std::string& name, const std::string& shared = 
     return {"v_" + name, name, shared, b::name("core_nat"), b::number(0), "Memory_" + name, name};
 }
 
-// P needs x because it outputs it; Q passes x on and does not read it.
+// P needs x because it outputs it. Q only passes x on.
 TEST(VariableMemory, IsAskedForWhatTheNextFunctionEvaluates) {
     std::vector<Function> family{
         {"P", {"v_x"}, b::prefix(b::name("c"), {b::output(b::name("v_x"))}, b::call("Q", {b::name("v_x")}))},
@@ -45,7 +45,7 @@ TEST(VariableMemory, IsGivenWhatChangesUnlessTheEventTellsIt) {
     EXPECT_EQ(cspm::print(own[0].body), "a -> setL_x!(v_x + 1) -> P(v_x + 1)");
     initial = b::call("P", {b::number(0)});
     move_to_memories(shared, initial, {}, {make_remembered("x", "x")});
-    EXPECT_EQ(cspm::print(shared[0].body), "a -> P");  // no later function needs the new value of x
+    EXPECT_EQ(cspm::print(shared[0].body), "a -> P");  // because no later function needs the new value of x
 }
 
 TEST(VariableMemory, EndsWithTheMachine) {
@@ -57,7 +57,7 @@ TEST(VariableMemory, EndsWithTheMachine) {
               "(P [| {| end__, tock, get_x, setL_x |} |] Memory_x(0)) \\ {| end__, get_x, setL_x |}");
 }
 
-// The machine in both representations: memories for both variables, and parameters.
+// Tests the machine in both representations: memories for both variables, and parameters.
 TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
     const auto m = testing::load_model(R"(
         interface I { var shared : nat }

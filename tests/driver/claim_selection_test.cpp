@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arguments of --assertion and the claims that they select.
+// Tests which claims the arguments of --assertion select.
 #include "driver/settings/claim_selection.hpp"
 
 #include <gtest/gtest.h>

@@ -21,7 +21,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// One time unit is 0.1 s. Braking fails in the module Late, where a deadline stops time.
+/// One time unit is 0.1 s. In the module Late, Braking fails because a deadline stops time.
 const char* const robots = R"(package patrol
 
 interface Motion { goTo(waypoint : nat) halt() reverse() brake() }
@@ -76,7 +76,7 @@ stm Ends {
 }
 )";
 
-/// The answers to claims about models whose texts are given.
+/// Decides claims about models whose texts are given, and stores the answers.
 class Answers {
 public:
     Answers(std::vector<Text> texts, const std::string& claims) {
@@ -89,7 +89,7 @@ public:
         result_ = loaded.model->check(options);
         for (const Finding& finding : result_.findings) text_ += finding.code + ": " + finding.message + "\n";
     }
-    /// The answer to the claim with this name.
+    /// Returns the answer to the claim with this name.
     [[nodiscard]] const Answer& of(const std::string& name) const {
         static const Answer none;
         const auto found = std::ranges::find_if(
@@ -117,7 +117,7 @@ struct Row {
     const char* component = "";
 };
 
-/// Each claim gets the verdict of its row. Claims are named C0, C1, ...
+/// Checks that each claim gets the verdict of its row. Claims are named C0, C1, ...
 void expect_verdicts(const std::vector<Text>& models, const std::string& head, const std::vector<Row>& rows) {
     std::string claims = head;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -196,9 +196,9 @@ TEST(Claims, AboutStatesAndVariables) {
                         {"after estop until reset, always in Emergency", "holds", "Patrol"},
                         {"after estop until clear, always in Emergency", "fails", "Patrol"},
                         {"while in Emergency, never goTo", "holds", "Patrol"},
-                        {"while in Emergency, never reset", "fails", "Patrol"},  // it is taken in the state
+                        {"while in Emergency, never reset", "fails", "Patrol"},  // taken in the state
                         {"while in Held, never halt", "fails", "Patrol"},      // the entry action belongs to the state
-                        {"while in Held, never obstacle", "holds", "Patrol"},  // it leads into the state
+                        {"while in Held, never obstacle", "holds", "Patrol"},  // the transition leads into the state
                         {"while not in Held, never halt", "holds", "Patrol"},
                         {"enter Held leads to halt within 0 s", "holds", "Patrol"},
                         {"leave Held leads to goTo or reverse or brake within 0 s", "holds", "Patrol"},
@@ -228,7 +228,7 @@ TEST(Claims, AboutStatesAndVariables) {
                         {"while in A, at most 1 obstacle", "holds", "Loop"},
                         {"always in A", "holds", "Loop"},
                         {"estop leads to leave Driving within 0 s", "holds", "Late"},
-                        {"in Braking for at most 5 units", "fails", "Late"},  // time stops in it
+                        {"in Braking for at most 5 units", "fails", "Late"},  // time stops in Braking
                     });
 }
 
@@ -251,7 +251,7 @@ TEST(Claims, HoldUnderAssumptions) {
                       "claim B of Patrol : obstacle leads to goTo or brake within 1 units\n");
     EXPECT_EQ(two.verdict("A"), "holds") << two.of("A").reason << two.text();
     EXPECT_EQ(two.verdict("B"), "holds") << two.of("B").reason << two.text();
-    // In Emergency, clear is not taken.
+    // In Emergency, the robot does not react to clear.
     const Answers stops({{"patrol.rct", robots}},
                         "import patrol::*\nassume Soon of Patrol : obstacle leads to clear within 2 units\n" + claims);
     EXPECT_EQ(stops.verdict("A"), "inconclusive");
@@ -326,7 +326,7 @@ TEST(Claims, AreReadInAssertionFilesWithAWarning) {
     EXPECT_THAT(untimed.text, HasSubstr("timed semantics"));
 }
 
-/// The message names the values that there are.
+/// The message names the values that the instantiation contains.
 TEST(Claims, NameTheValuesOfTheInstantiation) {
     const LoadResult five =
         load_texts({{"patrol.rct", robots},
@@ -334,7 +334,7 @@ TEST(Claims, NameTheValuesOfTheInstantiation) {
     EXPECT_THAT(five.text, HasSubstr("no value of the finite instantiation satisfies `goTo(50)`: nat is 0..2 here"));
 }
 
-/// A csp block changes numbers, not enumerations and truth values.
+/// A csp block may change numbers, but not enumerations and truth values.
 TEST(Claims, ReadTruthValuesBesideABlockOfValues) {
     const std::string model =
         "package p interface E { event lamp : boolean event level : nat event lit } stm S { uses E var v : boolean var "
@@ -453,12 +453,12 @@ TEST(ClaimsSuite, Beacon) {
                         {"while in Away, never goNorth or goSouth", "holds"},
                         {"crowded leads to goNorth", "fails"},
                         {"before goNorth or goSouth, crowded leads to goNorth or goSouth within 0 units", "holds"},
-                        {"crowded leads to goNorth or goSouth within 0 units", "fails"},  // the second time
-                        {"at most 1 enter Away", "fails"},  // it stays by a transition that enters it again
+                        {"crowded leads to goNorth or goSouth within 0 units", "fails"},  // not the second time
+                        {"at most 1 enter Away", "fails"},  // a transition leaves Away and enters it again
                     });
 }
 
-/// It counts its neighbours every ten units, and turns round if it hears fewer.
+/// Alpha counts its neighbours every ten units. It turns round if it hears fewer neighbours than before.
 TEST(ClaimsSuite, Alpha) {
     ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
     expect_verdicts(suite_models("alpha"), "import alpha::*\n",
@@ -466,7 +466,7 @@ TEST(ClaimsSuite, Alpha) {
                         {"neighbours only after countNeighbours", "holds"},
                         {"countNeighbours at least 10 units after countNeighbours", "holds"},
                         {"countNeighbours at least 11 units after countNeighbours", "fails"},
-                        {"countNeighbours at least every 10 units", "fails"},  // the answer may not come
+                        {"countNeighbours at least every 10 units", "fails"},  // the count may never be answered
                         {"startTurning only after neighbours", "holds"},
                         {"turned leads to moveForward within 0 units", "holds"},
                         {"enter Coherence only after startTurning", "holds"},
@@ -476,7 +476,7 @@ TEST(ClaimsSuite, Alpha) {
                     });
 }
 
-/// A robot that avoids others. It turns for a unit or longer, drives on, and turns to the swarm after 25 further units.
+/// A robot that avoids others turns for at least one unit and drives on. After 25 further units, it turns to the swarm.
 TEST(ClaimsSuite, Taxis) {
     ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
     expect_verdicts(suite_models("taxis"), "import swarm_taxis::*\nunit 0.1 s\n",
@@ -494,7 +494,7 @@ TEST(ClaimsSuite, Taxis) {
                     });
 }
 
-/// It turns, and turns again three units later; one unit later it drives. Each turn counts.
+/// The robot turns, and turns again three units later. One unit later it drives. Each turn counts.
 TEST(ClaimsSuite, NotBefore) {
     ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
     expect_verdicts(suite_models("not_before"), "import twice::*\n",

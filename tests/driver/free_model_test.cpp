@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers with free values of computed data (docs/data.md, "Computed data"): what they say is true of the model.
+// Tests answers with free values of computed data (docs/data.md, "Computed data"). What they state must be true of the
+// model.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ struct Found {
     Answer answer = Answer::inconclusive;
     bool bounded = false;
 };
-/// The answers to the core properties by "S deadlock-free".
+/// The answers to the core properties, by names such as "S deadlock-free".
 using Answers = std::map<std::string, Found>;
 
 Answers decide(Project& project, const Settings& settings, Services& services) {
@@ -43,10 +44,11 @@ Answers decide(Project& project, const Settings& settings, Services& services) {
 
 struct Both {
     Answers concrete, free;
-    std::size_t conditions = 0;  ///< that are free
+    std::size_t conditions = 0;  ///< number of free conditions
 };
 
-/// The timed answers in the finite instantiation, and with free values; or only the latter.
+/// Returns the timed answers in the finite instantiation and with free values. With `only_free`, returns only the
+/// latter.
 Both answers_for(const std::string& model, bool only_free = false) {
     Settings settings;
     settings.load.inputs = {"m.rct"};
@@ -74,7 +76,7 @@ Both answers_for(const std::string& model, bool only_free = false) {
 
 // ---------------------------------------------------------------- random machines
 
-/// Draws machines whose numbers stay in 0..3, so that the finite instantiation has exact answers where it meets no
+/// Draws machines whose numbers stay in 0..3. So the answers in the finite instantiation are exact if they reach no
 /// bound.
 class Draw {
 public:
@@ -177,8 +179,8 @@ std::string Draw::machine() {
                               guard());
 }
 
-/// The model refines the model with free values. So deadlock, divergence and timelock freedom carry over, and a state
-/// that is not reached with free values is not reached.
+/// The model refines the model with free values. So deadlock, divergence and timelock freedom carry over to the model,
+/// and a state that is not reached with free values is not reached in the model.
 TEST(FreeModels, WhatHoldsWithFreeValuesHoldsInTheFiniteInstantiation) {
     Draw draw(2026);
     std::size_t carried = 0, failing = 0, conditions = 0;
@@ -215,8 +217,8 @@ void expect_deadlock(const Both& both) {
     EXPECT_TRUE(free == both.free.end() || free->second.answer != Answer::holds);
 }
 
-/// A transition may interrupt a during action behind an assignment, and the answer is then that of the new value. Here
-/// x * x < 4 is false for the 3 of the entry action and true for the 0 of y.
+/// A transition may interrupt a during action after an assignment. The condition must then be evaluated for the new
+/// value. Here x * x < 4 is false for the 3 of the entry action, and true for the 0 of y.
 TEST(FreeModels, AnInterruptedDuringActionLeavesNewAnswers) {
     for (const char* const during : {"x = (y * y) % 4", "e ? x"}) {
         const Both both = answers_for(machine(
@@ -229,7 +231,7 @@ TEST(FreeModels, AnInterruptedDuringActionLeavesNewAnswers) {
     }
 }
 
-/// The answer for a received or assigned value is not that of the old value.
+/// After a value is received or assigned, the condition does not keep the answer of the old value.
 TEST(FreeModels, EveryWriteChoosesAnswersAnew) {
     for (const char* const write : {"trigger e ? x", "trigger go action x = (y * y) % 4", "trigger go action e ? x"}) {
         const Both both = answers_for(
@@ -242,7 +244,7 @@ TEST(FreeModels, EveryWriteChoosesAnswersAnew) {
     }
 }
 
-/// An exit action runs before the transition's action, and so before the choice of the answer for the received value.
+/// An exit action runs before the transition's action, and so before the answer for the received value is chosen.
 TEST(FreeModels, AnExitActionThatTestsAReceivedValueIsNotFree) {
     const Both both = answers_for(
         machine("var stuck : boolean = false state A { exit if x * x < 4 then stuck = true else stuck = false end } "
@@ -252,8 +254,8 @@ TEST(FreeModels, AnExitActionThatTestsAReceivedValueIsNotFree) {
     expect_deadlock(both);
 }
 
-/// A guard on the received value decides which inputs are possible. Chosen answers would offer inputs that no value
-/// makes.
+/// A guard on the received value decides which inputs are possible. If its answers were chosen freely, the process
+/// would offer inputs that no value causes.
 TEST(FreeModels, AGuardOnTheReceivedValueIsNotFree) {
     const Both both = answers_for(
         machine("state A { } state B { } transition t0 { from i to A } "
@@ -263,7 +265,7 @@ TEST(FreeModels, AGuardOnTheReceivedValueIsNotFree) {
     EXPECT_EQ(both.conditions, 0U);
 }
 
-/// An undefined condition of a statement blocks: tail of the empty sequence has no head.
+/// A statement blocks if its condition is undefined. Here, head is applied to the tail of the empty sequence.
 TEST(FreeModels, AnUndefinedStatementMayBlock) {
     const Both both = answers_for(
         "import sequence_toolkit::* stm S { event go var s : Seq(nat) = <1> var b : boolean = true initial i "
@@ -273,7 +275,7 @@ TEST(FreeModels, AnUndefinedStatementMayBlock) {
     expect_deadlock(both);
 }
 
-/// Another machine may write a shared variable at any time, without a choice of the answer.
+/// Another machine may write a shared variable at any time, without choosing the answer of the condition.
 TEST(FreeModels, AConditionOnASharedVariableIsNotFree) {
     const Both both = answers_for(
         "interface I { var x : nat } stm S { requires I event go initial i state A { } "
@@ -282,7 +284,7 @@ TEST(FreeModels, AConditionOnASharedVariableIsNotFree) {
     EXPECT_EQ(both.conditions, 0U);
 }
 
-/// The class of a computed number or list follows from the class of the one that it is computed from.
+/// The class of a computed number or list follows from the class of the number or list that it is computed from.
 TEST(FreeModels, TheClassOfAComputedValueFollowsTheComputation) {
     struct Row {
         const char *start, *step, *wrong;
@@ -315,7 +317,7 @@ TEST(FreeModels, TheClassOfAComputedValueFollowsTheComputation) {
     }
 }
 
-/// Guards that are the negation of each other have one answer.
+/// If one guard is the negation of another, both depend on one answer.
 TEST(FreeModels, AConditionAndItsNegationExcludeEachOther) {
     const Both both = answers_for(machine(
         "state A { } junction j state B { } transition t0 { from i to A } "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The public functions of the library: what they load, decide and report.
+// Tests the public functions of the library: what they load, decide and report.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// A robot that goes on after an obstacle, `most` times.
+/// A robot that continues after an obstacle, at most `most` times.
 const char* const patrol_model = R"(interface Sensors { event obstacle event clear }
 interface Motors { drive() halt() }
 stm Patrol {
@@ -163,7 +163,7 @@ TEST(Library, AnUnknownConstantIsAFinding) {
     EXPECT_THAT(loaded.findings.front().message, HasSubstr("least"));
 }
 
-// A claim with an error must not look like one that holds.
+// A claim with an error must not be reported as one that holds.
 TEST(Library, AClaimWithAnErrorDoesNotHideTheOthers) {
     LoadResult loaded = load(std::string(claims) + "untimed assertion Wrong : Nobody is deadlock-free\n");
     ASSERT_TRUE(loaded.model) << loaded.text;

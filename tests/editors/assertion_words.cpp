@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See assertion_words.hpp.
 #include "assertion_words.hpp"
 #include "tests/source_folder.hpp"
 

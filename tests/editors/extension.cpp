@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See extension.hpp.
 #include "extension.hpp"
 #include "tests/source_folder.hpp"
 
@@ -20,7 +19,7 @@ json load_json(const std::string& name) {
 
 namespace {
 
-/// The position after the parenthesis that closes the group opened at `at`.
+/// Returns the position after the parenthesis that closes the group opened at `at`.
 std::size_t group_end(const std::string& pattern, std::size_t at) {
     int open = 0;
     for (; at < pattern.size(); ++at) {
@@ -35,7 +34,7 @@ std::size_t group_end(const std::string& pattern, std::size_t at) {
     return at;
 }
 
-/// The pattern without the parts that match no word: lookarounds, character classes, escapes.
+/// Returns the pattern without the parts that match no word: lookarounds, character classes, escapes.
 std::string plain_text(const std::string& pattern) {
     std::string out;
     for (std::size_t at = 0; at < pattern.size();) {
@@ -63,7 +62,7 @@ void add_words(const std::string& pattern, std::set<std::string>& words) {
         words.insert(it->str());
 }
 
-/// Whether the rule, or one of its groups, has a scope that satisfies the predicate.
+/// Returns true if the rule, or one of its groups, has a scope that satisfies the predicate.
 bool gives_scope(const json& rule, const std::function<bool(const std::string&)>& scope) {
     if (rule.contains("name") && scope(rule["name"])) return true;
     for (const char* key : {"captures", "beginCaptures", "endCaptures"})

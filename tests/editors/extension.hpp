@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of editors/vscode as data for tests.
+// Reads the files of editors/vscode as data for tests.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@
 
 namespace robochart::editors {
 
-/// The folder of the extension.
+/// Returns the folder of the extension.
 [[nodiscard]] std::filesystem::path extension_folder();
 using tests::read_contents;
-/// A JSON file of the extension.
+/// Reads a JSON file of the extension.
 [[nodiscard]] nlohmann::json load_json(const std::string& name);
 
-/// The words in those patterns of a grammar whose scopes satisfy the predicate, without lookarounds.
+/// Returns the words in those patterns of a grammar whose scopes satisfy the predicate, without lookarounds.
 [[nodiscard]] std::set<std::string> grammar_words(const nlohmann::json& grammar,
                                                   const std::function<bool(const std::string&)>& scope);
 

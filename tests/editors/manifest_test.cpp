@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extension's manifest names only existing files, and its lock file names no server.
+// Tests that the extension's manifest names only existing files, and that its lock file names no server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,8 @@ TEST(Manifest, GrammarsHaveTheirScopesAndLanguages) {
     for (const json& snippets : contributes.at("snippets")) EXPECT_TRUE(languages.contains(snippets.at("language")));
 }
 
-/// Every `#name` that a grammar includes is in its repository; every other scope belongs to one of our grammars.
+/// Checks that every `#name` that a grammar includes is in its repository, and that every other scope belongs to one of
+/// the project's grammars.
 void expect_includes(const json& node, const std::map<std::string, json>& grammars, const json& own) {
     if (node.is_object() && node.contains("include")) {
         const std::string target = node.at("include");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every choice in a snippet inserts valid text.
+// Tests that every choice in a snippet inserts valid text.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -21,7 +21,8 @@ std::string joined(const json& body) {
     return text;
 }
 
-/// The snippet with the defaults of its placeholders. Each choice gets the option with this number, or its first one.
+/// Returns the snippet with the defaults of its placeholders. Each choice gets the option with this number, or its
+/// first option.
 std::string filled(const std::string& body, std::size_t choice) {
     static const std::regex field(R"(\$\{(\d+):([^}]*)\}|\$\{(\d+)\|([^|]*)\|\}|\$(\d+))");
     std::map<std::string, std::string> defaults;
@@ -45,7 +46,7 @@ std::string filled(const std::string& body, std::size_t choice) {
     return out.append(last, body.cend());
 }
 
-/// Syntax errors of the text; with `resolve` also those of names, types and rules.
+/// Returns the syntax errors of the text. With `resolve`, also returns errors of names, types and rules.
 std::string errors(const std::string& text, bool is_assertions, bool resolve) {
     frontend::Model model;
     diagnostics::SourceManager sources;
@@ -56,7 +57,7 @@ std::string errors(const std::string& text, bool is_assertions, bool resolve) {
     return findings.ok() ? "" : diagnostics::render_text(sources, findings);
 }
 
-/// The context for each snippet of models; `%` stands for the snippet.
+/// The context for each snippet of models, in which `%` stands for the snippet.
 const std::map<std::string, std::string> places = {
     {"state", "stm M { % }"},   {"composite", "stm M { % }"}, {"transition", "stm M { % }"},
     {"trigger", "stm M { % }"}, {"after", "stm M { % }"},     {"stm", "%"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The grammars of the extension contain exactly the words of the languages.
+// Tests that the grammars of the extension contain exactly the words of the languages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(GrammarWords, RoboSimIsTheTableOfItsWords) {
     EXPECT_EQ(grammar_words(load_json("syntaxes/robosim-assertions.tmLanguage.json"), scope), expected);
 }
 
-/// The types of `core`, which need no import.
+/// `core` declares these types, which need no import.
 TEST(GrammarWords, PrimitiveTypesAreThoseOfCore) {
     const auto scope = [](const std::string& name) { return name.starts_with("support.type.primitive"); };
     const Words words = grammar_words(load_json("syntaxes/robochart.tmLanguage.json"), scope);
@@ -79,7 +79,7 @@ Words parts(const Words& words) {
 TEST(GrammarWords, AssertionsAreTheWordsOfTheirParser) {
     Words expected = parts(assertion_words());
     ASSERT_THAT(expected, ::testing::IsSupersetOf({"assertion", "deadlock", "timelock", "csp", "rewards"}));
-    // The included RoboChart grammar colours the first two words; the third one is the title of a fix.
+    // The included RoboChart grammar colours the first two words. The third word occurs only in the title of a fix.
     for (const char* word : {"import", "package", "write"}) expected.erase(word);
     const auto scope = [](const std::string& name) { return starts_with_any(name, {"keyword", "storage", "support"}); };
     const Words coloured = parts(grammar_words(load_json("syntaxes/robochart-assertions.tmLanguage.json"), scope));
@@ -93,7 +93,7 @@ bool is_cspm_keyword(const std::string& scope) {
 }
 
 TEST(GrammarWords, CspmIsTheTableOfItsWords) {
-    Words expected{"print", "include"};  // words only at the start of a line
+    Words expected{"print", "include"};  // are words only at the start of a line
     for (int kind = static_cast<int>(cspm::Tok::kw_false); kind <= static_cast<int>(cspm::Tok::kw_timed); ++kind)
         expected.emplace(cspm::spelling(static_cast<cspm::Tok>(kind)));
     EXPECT_EQ(grammar_words(load_json("syntaxes/cspm.tmLanguage.json"), is_cspm_keyword), expected);

@@ -26,10 +26,10 @@ struct Reading {
     diagnostics::Diagnostics findings;
     Model model;
 
-    /// The findings in readable form.
+    /// Returns the findings in readable form.
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, findings); }
     [[nodiscard]] std::string dumped(bool resolved = false) const { return dump_model(model, sources, resolved); }
-    /// "CODE@line" of each finding, in order and joined by blanks.
+    /// Returns "CODE@line" of each finding, in order and joined by blanks.
     [[nodiscard]] std::string codes() const {
         std::string out;
         for (const auto& d : findings.sorted_findings()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One mistake, one message: every word of real models is omitted, preceded by an unrelated word, or replaced by one.
-// The test counts the errors, including those of resolution.
+// Tests that one mistake causes one message. Every word of real models is omitted, preceded by an unrelated word, or
+// replaced by one. The test counts the errors, including errors of resolution.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ TEST(Mutations, GiveOneMessageOrTwo) {
         for (const Token& token : stream.tokens) {
             if (token.kind == TokenKind::end) break;
             if (place_number++ % tests::distance_of_places(1) != 0) continue;
-            // A name that replaces another is no syntax error, and may cause an error at each use.
+            // If a name replaces another, this is not a syntax error, but it may cause an error at each use.
             const std::string place = path.filename().string() + ":" +
                                       std::to_string(sources.position(source, token.span.begin).line) + " `" +
                                       std::string(token.text) + "`";

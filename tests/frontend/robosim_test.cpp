@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: what its files may contain, how names after `$` resolve, that both dialects share names, that wrong input
-// gives one finding with its place, and that the public models load, print and format. The pages of the rules
+// Tests RoboSim: what its files may contain, how names after `$` resolve, that both dialects share names, that wrong
+// input gives one finding with its place, and that the public models load, print and format. The pages of the rules
 // (docs/rules/RC-Y*.md) have further examples.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST(RoboSim, AModelWithEveryConstructHasNoFindings) {
     EXPECT_EQ(reading->dumped(true).find("-> nothing"), std::string::npos) << reading->dumped(true);
 }
 
-/// The printed text is read back as the same tree.
+/// The printed text parses to the same tree.
 TEST(RoboSim, PrintsWhatItReads) {
     for (const auto& [path, text] : {std::pair("lamp.rst", lamp), std::pair("claims.rsa", lamp_claims)}) {
         const auto reading = resolved({{path, text}});
@@ -111,7 +111,7 @@ TEST(RoboSim, NamesAfterTheSignAreRegisters) {
     EXPECT_EQ(uses["n"], (std::set{Access::read, Access::write})) << "stored by `$dim?n`, read by `$done!n`";
 }
 
-/// The words of RoboSim are names in RoboChart.
+/// The words that RoboSim reserves are names in RoboChart.
 TEST(RoboSim, RoboChartKeepsItsWords) {
     const auto reading = resolved({{"t.rct", R"(stm S {
 	event exec event input
@@ -151,7 +151,7 @@ TEST(RoboSim, EachDialectMeansItsOwnComponents) {
 
 // ---------------------------------------------------------------- wrong input
 
-/// A machine with a state, two contexts, and further members on lines of their own, from line 5.
+/// Returns a machine with a state, two contexts, and further members on separate lines, from line 5.
 std::string machine(const std::string& input, const std::string& output, const std::string& members) {
     return "stm S { cycleDef cycle == 1 var n : nat = 0\ninput context { " + input + " }\noutput context { " + output +
            " }\ninitial i state A { } transition t0 { from i to A }\n" + members +
@@ -304,7 +304,7 @@ TEST(RoboSim, DeepNestingIsOneFinding) {
 
 // ---------------------------------------------------------------- public models
 
-/// The folders of suite/robosim, each with the files of one project.
+/// Returns the folders of suite/robosim, each with the files of one project.
 std::vector<fs::path> projects_in(const fs::path& suite) {
     std::vector<fs::path> result;
     for (const char* group : {"models", "models/read", "own", "robotool-csp"})
@@ -314,8 +314,9 @@ std::vector<fs::path> projects_in(const fs::path& suite) {
     return result;
 }
 
-/// Models that are wrong for the reasons that suite/robosim/README.md and the reference give: a constant is assigned
-/// and `abs` has no parameter; `$` before a local variable, and a record stored in a vector.
+/// These models are wrong for the reasons that suite/robosim/README.md and the reference give. In MobileRobotOA, a
+/// constant is assigned and `abs` has no parameter. In AutonomousSegregation, `$` precedes a local variable, and a
+/// record is stored in a vector.
 const std::map<std::string, std::multiset<std::string>> wrong_models = {
     {"MobileRobotOA", {"RC-N01", "RC-T13", "RC-T13", "RC-T13", "RC-T13", "RC-T30", "RC-T30"}},
     {"AutonomousSegregation", {"RC-Y05", "RC-Y05", "RC-T08"}}};

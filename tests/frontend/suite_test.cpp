@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The public models next to the repository: valid models load without an error, and invalid ones are rejected for the
-// right reason. The test is skipped if the material is absent.
+// Tests the public models next to the repository. Valid models load without an error, and invalid models are rejected
+// for the right reason. The test is skipped if the material is absent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<fs::path> entries(const fs::path& folder) {
     return result;
 }
 
-/// Loads a project and hands it to `judge`.
+/// Loads a project and passes it to `judge`.
 template <class Judge>
 void load(const fs::path& path, Judge judge) {
     testing::Reading reading;
@@ -59,8 +59,8 @@ TEST(Suite, LoadsTheBenchmarkModels) {
         if (path.extension() == ".rct" && fs::file_size(path) > 1) expect_loads(path);
 }
 
-/// The reasons of EXPECTED.tsv as our codes: an operation that is not required, a connection in the wrong direction for
-/// a machine (twice), transitions across the border of a state (two ends).
+/// The reasons of EXPECTED.tsv as codes of this program: an operation that is not required, a connection in the wrong
+/// direction for a machine (twice), transitions across the border of a state (two ends).
 TEST(Suite, RefusesWhatRoboToolRefuses) {
     NEED_SHARED(shared);
     const std::map<std::string, std::vector<std::string>> reasons = {{"opcall-scope-fail", {"RC-N01"}},
@@ -87,7 +87,7 @@ TEST(Suite, LoadsTheCorpus) {
     }
 }
 
-/// A model that is truncated anywhere gives diagnostics or a model, never a crash, and two parses give the same result.
+/// A model that is truncated anywhere gives diagnostics or a model, but never a crash. Two parses give the same result.
 TEST(Suite, SurvivesTruncationAnywhere) {
     NEED_SHARED(shared);
     std::size_t cuts = 0;
@@ -104,7 +104,7 @@ TEST(Suite, SurvivesTruncationAnywhere) {
     EXPECT_GT(cuts, 100U);
 }
 
-/// A model from which a piece in the middle is removed gives diagnostics or a model, never a crash.
+/// A model from which a piece in the middle is removed gives diagnostics or a model, but never a crash.
 TEST(Suite, SurvivesHoles) {
     NEED_SHARED(shared);
     for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See tree.hpp.
 #include "tree.hpp"
 
 #include <array>

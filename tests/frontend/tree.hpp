@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shape of a syntax tree as nested brackets, `(kind part …)`. It is independent of the printer, so tests show
+// Shows the shape of a syntax tree as nested brackets, `(kind part …)`. It is independent of the printer, so tests show
 // precedence and every field.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace robochart::frontend::testing {
 
-/// `_` stands for an absent part.
+/// Returns the tree, with `_` for an absent part.
 [[nodiscard]] std::string tree(const Expr& expr);
 [[nodiscard]] std::string tree(const TypeExpr& type);
 [[nodiscard]] std::string tree(const Stmt& statement);

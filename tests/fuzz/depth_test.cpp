@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nesting and chains of any length are parsed or rejected with a finding, and never overflow the stack. Sanitizers make
-// frames larger, so the test is most useful with them.
+// Tests that nesting and chains of any length are parsed or rejected with a finding, and never overflow the stack.
+// Sanitizers make stack frames larger, so the test is most useful with them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace robochart::fuzz {
 namespace {
 
-/// `before`, then `open` n times, `middle`, `close` n times, `after`.
+/// Text that consists of `before`, then `open` n times, `middle`, `close` n times, and `after`.
 struct Shape {
     std::string_view before, open, middle, close, after;
 };
@@ -24,7 +24,7 @@ std::string deep(const Shape& shape, std::size_t times) {
 }
 
 void expect_bounded(std::string (*run)(std::string_view), std::span<const Shape> shapes) {
-    // Close to the limits of the parsers (256, 800, 1000, 4000) and far beyond.
+    // The depths are close to the limits of the parsers (256, 800, 1000, 4000) and far beyond.
     for (const Shape& shape : shapes)
         for (const std::size_t times : {255U, 1000U, 4001U, 20000U}) {
             EXPECT_EQ(run(deep(shape, times)), "") << shape.before << shape.open << " … x " << times;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fuzzers' dictionaries contain every word and symbol of the languages, each as a single token.
+// Tests that the fuzzers' dictionaries contain every word and symbol of the languages, each as a single token.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace robochart::fuzz {
 namespace {
 
-/// The entries of a dictionary in libFuzzer's format: one `"text"` per line, with `\\` and `\"` as escapes, and
+/// Returns the entries of a dictionary in libFuzzer's format: one `"text"` per line, with `\\` and `\"` as escapes, and
 /// comments after `#`.
 std::set<std::string> dictionary(const std::string& name) {
     std::ifstream in(tests::source_folder().string() + "/tests/fuzz/" + name);
@@ -41,7 +41,7 @@ TEST(Dictionaries, RoboChart) {
     EXPECT_GT(editors::assertion_words().size(), 40U);
 }
 
-/// The table of words contains the words that the parser compares with.
+/// The table of words contains the words with which the parser compares.
 TEST(Dictionaries, WordsOfAssertions) {
     const auto table = frontend::assertion_words();
     EXPECT_TRUE(std::ranges::is_sorted(table));
@@ -53,7 +53,7 @@ TEST(Dictionaries, WordsOfAssertions) {
     }
 }
 
-/// Token kinds whose spelling is a description and not their text.
+/// Returns true for token kinds whose spelling is a description and not their text.
 bool has_no_text(cspm::Tok kind) {
     using cspm::Tok;
     const std::set<Tok> described{Tok::end,       Tok::newline, Tok::bad,      Tok::identifier,     Tok::integer,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer's entry point for one target; a violated property ends the program like a crash.
+// Defines libFuzzer's entry point for one target. A violated property ends the program like a crash.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs that once violated a property of tests/fuzz/targets/targets.hpp, and the examples stored next to them, with
-// every compiler.
+// Runs the targets on inputs that once violated a property of tests/fuzz/targets/targets.hpp, and on the examples
+// stored next to them, with every compiler.
 #include <gtest/gtest.h>
 
 #include <algorithm>

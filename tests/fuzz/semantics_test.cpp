@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The components after the front end, on well-formed and almost well-formed models: random models, the corpus, and
-// models of the tests. ROBOCHART_SEEDS=N tries more, ROBOCHART_FIRST_SEED=N others.
+// Tests the components after the front end on well-formed and almost well-formed models: random models, the corpus, and
+// models of the tests. ROBOCHART_SEEDS=N tries N models, and ROBOCHART_FIRST_SEED=N begins with another seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using random_models::Project;
 using random_models::Shape;
 
-/// The project in the target's input format.
+/// Returns the project in the target's input format.
 std::string bytes_of(const Project& project) {
     std::string bytes;
     for (const random_models::Text& file : project)
@@ -32,7 +32,7 @@ std::string bytes_of(const Project& project) {
     return bytes;
 }
 
-/// The projects in the folders below these.
+/// Returns the projects in the subfolders of these folders.
 std::vector<Project> kept_projects() {
     std::vector<Project> projects;
     for (const char* folder : {"corpus", "tests/app/agreeing", "tests/conformance/models", "tests/cpp_emit/models"}) {
@@ -52,7 +52,7 @@ std::vector<Project> kept_projects() {
     return projects;
 }
 
-/// Small models with all constructs of the language.
+/// Returns a shape of small models with all constructs of the language.
 Shape small_shape(std::uint64_t seed) {
     Shape shape = Shape::whole_language();
     shape.files = {1, 2};

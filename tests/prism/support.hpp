@@ -23,7 +23,7 @@ struct Read {
     diagnostics::SourceId add(const std::string& text, const std::string& path = "model.prism") {
         return sources.add(path, text);
     }
-    /// "PRISM-P01:3 PRISM-P02:7": codes with lines, in the order of the text.
+    /// Returns codes with lines, in the order of the text: "PRISM-P01:3 PRISM-P02:7".
     [[nodiscard]] std::string findings() const {
         std::string text;
         for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings()) {
@@ -37,7 +37,8 @@ struct Read {
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
 };
 
-/// A model that has been checked and explored for values of its constants. Throws std::runtime_error with the findings.
+/// A model that has been checked, and explored for values of its constants. Throws std::runtime_error with the
+/// findings.
 struct Explored {
     explicit Explored(const std::string& model, const Values& constants = {}, const ExploreOptions& options = {}) {
         const ModelFile file = read_model(read.sources, read.add(model), read.diagnostics);
@@ -51,7 +52,7 @@ struct Explored {
         }
     }
 
-    /// The answer to one property; definitions may precede it in the text.
+    /// Returns the answer to one property. Definitions may precede it in the text.
     Result ask(const std::string& text, const SessionOptions& options = {}, const Values& constants = {}) {
         const PropertyFile file = read_properties(read.sources, read.add(text, "model.props"), read.diagnostics);
         CheckedProperties properties;
@@ -70,7 +71,7 @@ struct Explored {
     std::optional<StateSpace> space;
 };
 
-/// The message of the exception that `piece` throws; "" if it throws none.
+/// Returns the message of the exception that `piece` throws, or "" if it throws none.
 template <class Piece>
 std::string failure_text(const Piece& piece) {
     try {

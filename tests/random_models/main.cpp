@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// random_models_tool: writes a random project into a folder, for benchmarks, demonstrations and use by hand.
+// Writes a random project into a folder (random_models_tool), for benchmarks, demonstrations and use by hand.
 #include <charconv>
 #include <cstdint>
 #include <cstdio>

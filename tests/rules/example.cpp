@@ -83,7 +83,7 @@ void read_script(const std::string& path, Judgement& result) {
     take(sources, diagnostics, result);
 }
 
-/// Also explores the model and decides the properties.
+/// Explores the model and decides the properties.
 void evaluate(const prism::CheckedModel& model, const prism::CheckedProperties& properties,
               diagnostics::Diagnostics& diagnostics) {
     try {
@@ -95,7 +95,7 @@ void evaluate(const prism::CheckedModel& model, const prism::CheckedProperties& 
     }
 }
 
-/// The first file is the model, the others are its properties.
+/// Reads the files of a PRISM example. The first file is the model, the others are its properties.
 void read_prism(const std::vector<std::string>& paths, Judgement& result) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -123,7 +123,7 @@ void read_rules(const std::string& path, Judgement& result) {
     take(sources, diagnostics, result);
 }
 
-/// The words of `$ robochart-verify emit cpp MODEL`, with MODEL and FILE names replaced by paths in the folder.
+/// Returns the words of `$ robochart-verify emit cpp MODEL`, with MODEL and FILE names replaced by paths in the folder.
 std::vector<std::string> words_of(const std::string& console, const fs::path& folder) {
     std::istringstream text(console);
     std::vector<std::string> words;
@@ -258,7 +258,7 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
 
 Judgement judge_file(const std::string& path) {
     Judgement result;
-    // The fixture is copied into its own folder, so that other fixtures are not loaded with it.
+    // The fixture is copied into a separate folder, so that other fixtures are not loaded with it.
     const tests::TemporaryFolder folder;
     fs::copy_file(path, folder.in(fs::path(path).filename().string()));
     read_model({folder.path()}, result);

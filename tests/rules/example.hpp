@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an example of a rule's page: its blocks become files, and its command (if there is one) runs in this process.
+// Runs an example of a rule's page. Its blocks become files, and its command (if there is one) runs in this process.
 #pragma once
 
 #include <set>
@@ -14,15 +14,15 @@ namespace robochart::testing {
 
 /// The result of an example.
 struct Judgement {
-    std::multiset<std::string> findings;  ///< "FILE:LINE CODE"; without place ":0 CODE"
+    std::multiset<std::string> findings;  ///< "FILE:LINE CODE", or ":0 CODE" without a place
     std::multiset<std::string> expected;  ///< from `// expect: CODE …` (`-- expect:` in CSPM), in the same form
     std::set<const diagnostics::Rule*> rules;
     std::string report;  ///< the findings in readable form
     [[nodiscard]] std::set<std::string> codes() const;
 };
 
-/// Writes the blocks into a separate folder and loads it as a project. A console block selects another verb: `$
-/// robochart-verify emit cpp MODEL`. A CSPM block is parsed as a script.
+/// Writes the blocks into a separate folder and loads it as a project. A console block such as `$ robochart-verify emit
+/// cpp MODEL` selects another verb. A CSPM block is parsed as a script.
 [[nodiscard]] Judgement judge(const std::vector<diagnostics::Block>& example);
 
 /// Judges existing files in the same way.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pages of rules formatted for a terminal.
+// Tests pages of rules that are formatted for a terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

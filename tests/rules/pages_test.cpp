@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every rule has a page (docs/rules/CODE.md), and every page is correct: its wrong example gives exactly the findings
-// in its comments (`// expect: CODE`), and its right example gives none.
+// Tests that every rule has a page (docs/rules/CODE.md), and that every page is correct. Its wrong example must give
+// exactly the findings in its comments (`// expect: CODE`), and its right example must give none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path fixtures = tests::source_folder() / "tests/frontend/fixtures";
 
-/// Rules that no short example can violate; the tests of the component name them.
+/// Rules that no short example can violate. The tests of the component name them.
 const std::set<std::string_view> without_example = {
     "RC-P02",   "RC-P08",    "RC-P14",    "RC-P23",    "RC-S03",    "RC-S04",    "RC-S05",    "RC-C02",    "RC-C03",
     "RC-C06",   "RC-D01",    "RC-D02",    "RC-D03",    "RC-G01",    "RC-G03",    "RC-G07",    "RC-G08",    "RC-G10",
@@ -36,8 +36,8 @@ std::vector<diagnostics::PageText> pages() {
     return result;
 }
 
-/// Ignores advice that goes beyond the published rules (RC-W, and RC-K09 and RC-K10 of `conform`) and the note on
-/// Instantiations blocks (RC-C07), except on their own pages.
+/// Returns whether the finding counts. Advice that goes beyond the published rules (RC-W, and RC-K09 and RC-K10 of
+/// `conform`) and the note on Instantiations blocks (RC-C07) count only on their own pages.
 bool counts(const std::string& finding, std::string_view code) {
     if (code.starts_with("RC-W") || finding.ends_with(" " + std::string(code))) return true;
     return finding.find(" RC-W") == std::string::npos && !finding.ends_with(" RC-K09") &&
@@ -127,7 +127,7 @@ TEST(RulePages, EveryRuleHasOne) {
         EXPECT_FALSE(diagnostics::page_text(code).empty()) << "docs/rules/" << code << ".md is missing";
 }
 
-/// `* [STM6](STM6.md): title` under `## Area`, once.
+/// The index contains `* [STM6](STM6.md): title` once, under `## Area`.
 TEST(RulePages, IndexListsEachUnderItsArea) {
     std::map<std::string, std::string> area_of_line;
     std::istringstream index{std::string(diagnostics::page_text("README"))};
@@ -158,13 +158,13 @@ TEST(RulePages, LinksLead) {
         for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
             const std::string whole = text.substr(at + 2, text.find(')', at) - at - 2);
             const std::string link = whole.substr(0, whole.find('#'));    // tests/sanity checks headings
-            if (link.starts_with("http") || link == "CODE.md") continue;  // the pattern of entries, in the index
+            if (link.starts_with("http") || link == "CODE.md") continue;  // a pattern in the index
             EXPECT_TRUE(fs::exists(tests::source_folder() / "docs/rules" / link)) << page.code << ": " << link;
         }
     }
 }
 
-/// Examples of RoboSim for rows that no page shows give exactly the findings in their comments.
+/// The examples of RoboSim for rows that no page shows give exactly the findings in their comments.
 TEST(RulePages, OfRoboSimHaveMoreExamples) {
     for (const auto& example : testing::robosim_examples()) {
         const testing::Judgement found = testing::judge(example);
@@ -172,8 +172,8 @@ TEST(RulePages, OfRoboSimHaveMoreExamples) {
     }
 }
 
-/// Front-end rules have several rows for different circumstances: a page, a fixture or an example of RoboSim shows
-/// each.
+/// Front-end rules have several rows for different circumstances. Each row is shown by a page, a fixture or an example
+/// of RoboSim.
 TEST(RulePages, ShowEveryRowWithTheFixtures) {
     std::set<const diagnostics::Rule*> shown;
     for (const auto& example : testing::robosim_examples()) shown.merge(testing::judge(example).rules);

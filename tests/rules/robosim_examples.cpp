@@ -6,7 +6,7 @@
 namespace robochart::testing {
 namespace {
 
-/// A machine with these declarations.
+/// Returns a machine with these declarations.
 std::string machine(const std::string& declarations, const std::string& first_line = "stm S {") {
     return first_line + "\n" + declarations + R"(
 	initial i

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Examples of RoboSim for rows of rules that no page shows.
+// Provides examples of RoboSim for rows of rules that no page shows.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace robochart::testing {
 
-/// The blocks of each example, with the expected findings in comments, as on the pages.
+/// Returns the blocks of each example, with the expected findings in comments, as on the pages.
 [[nodiscard]] std::vector<std::vector<diagnostics::Block>> robosim_examples();
 
 }  // namespace robochart::testing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The source tree has the structure of docs/architecture.md: folders, permitted includes, no cycles.
+// Tests that the source tree has the structure of docs/architecture.md: folders, permitted includes, no cycles.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ std::string unit_of(const std::string& file) {
     return file.substr(0, file.rfind('.'));
 }
 
-/// Includes from folder to folder, or from unit (header and source with the same name) to unit.
+/// Returns the includes from folder to folder, or from unit (header and source with the same name) to unit.
 Edges edges_between(std::string (*node_of)(const std::string&)) {
     Edges edges;
     for (const std::string& file : program_files()) {
@@ -55,7 +55,7 @@ TEST(Layout, FoldersHaveNoCycle) {
     EXPECT_THAT(cycles(edges_between(folder_of)), ::testing::IsEmpty());
 }
 
-/// The permitted includes contain no cycle, so a later include cannot close one.
+/// The permitted includes contain no cycle, so no later include can close one.
 TEST(Layout, TheTableHasNoCycle) {
     const auto table = folder_table();
     Edges allowed;

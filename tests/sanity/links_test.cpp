@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Links in the project's documents lead to existing files and, after `#`, to existing headings.
+// Tests that links in the project's documents lead to existing files and, after `#`, to existing headings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The text outside fenced blocks.
+/// Returns the text outside fenced blocks.
 std::string prose(const std::string& text) {
     std::istringstream lines(text);
     std::string result;
@@ -30,7 +30,7 @@ std::string prose(const std::string& text) {
     return result;
 }
 
-/// The anchor of a heading, as Git servers generate it: lower case, hyphens for spaces, no punctuation.
+/// Returns the anchor of a heading, as Git servers generate it: lower case, hyphens for spaces, no punctuation.
 std::string anchor(const std::string& heading) {
     std::string result;
     for (const char c : heading) {
@@ -53,7 +53,7 @@ std::vector<std::string> anchors(const std::string& text) {
     return result;
 }
 
-/// The links to files of the project.
+/// Returns the links to files of the project.
 std::set<std::string> links(const std::string& text) {
     const std::string all = prose(text);
     std::set<std::string> result;
@@ -64,7 +64,7 @@ std::set<std::string> links(const std::string& text) {
     return result;
 }
 
-/// Describes why a link of a document is broken; "" if it is not.
+/// Describes why a link of a document is broken. Returns "" if it is not.
 std::string broken(const fs::path& document, const std::string& link) {
     const std::size_t mark = link.find('#');
     const std::string file = link.substr(0, mark);
@@ -87,8 +87,8 @@ TEST(Links, LeadToFilesAndHeadings) {
     EXPECT_GT(found, 500U);
 }
 
-/// A link to a repeated heading would lead to the first one, and a merge that keeps both sides repeats parts of a
-/// document. In a changelog every release repeats Added, Changed and Fixed.
+/// A link to a repeated heading would lead to the first one. Headings are also repeated if a merge keeps both versions
+/// of a part of a document. In a changelog every release repeats Added, Changed and Fixed.
 TEST(Links, HeadingsOfADocumentDiffer) {
     for (const fs::path& document : files(root(), {".md"})) {
         if (document.filename() == "CHANGELOG.md") continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules of the project that a program can check: file heads, rules with fixtures, no leftovers.
+// Tests rules of the project that a program can check: file heads, rules with fixtures, no leftovers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ TEST(Sanity, NoLeftovers) {
     }
 }
 
-/// Tests run at the same time, and a file with a fixed path would belong to several of them.
+/// Tests run at the same time, so several of them would use a file with a fixed path.
 TEST(Sanity, TestsMakeTemporaryFoldersInOnePlace) {
     const std::string marks[] = {std::string("Temp") + "Dir()", std::string("temp_directory") + "_path",
                                  std::string("mkd") + "temp"};
@@ -79,7 +79,8 @@ TEST(Sanity, TestsMakeTemporaryFoldersInOnePlace) {
     }
 }
 
-/// In a build of all sources together, another source may include the header that one forgets.
+/// A source that forgets this include may still compile in a build of all sources together, because another source
+/// includes the header.
 TEST(Sanity, FilesThatUseAlgorithmsIncludeThem) {
     const char* const functions[] = {"all_of", "any_of",  "none_of",     "count_if", "equal",   "fill",
                                      "find",   "find_if", "max",         "min",      "reverse", "sort",
@@ -97,8 +98,8 @@ TEST(Sanity, FilesThatUseAlgorithmsIncludeThem) {
 }
 
 /// Text from models is ForeignText until a function of base/diagnostics/escape.hpp returns it. This test lists the
-/// files that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
-/// printer escapes it.
+/// files that access it directly. These either compute with its characters, or pass it to a syntax tree whose printer
+/// escapes it.
 TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
     const std::set<std::string> seams = {"csp_emit/expressions/expressions.cpp", "csp_emit/compose/instantiations.cpp",
                                          "base/diagnostics/escape.cpp", "base/diagnostics/escape.hpp",
@@ -109,7 +110,8 @@ TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
     }
 }
 
-/// There is one escaper per language: a file that writes a backslash before a quote would be another one.
+/// There is only one function per language that escapes text. A file that writes a backslash before a quote would be a
+/// second one.
 TEST(Sanity, NobodyElseEscapes) {
     const std::string by_hand[] = {"'\"' || c == '\\\\'", "&quot;", "&lt;"};
     for (const std::string& name : program_files()) {
@@ -122,7 +124,7 @@ TEST(Sanity, NobodyElseEscapes) {
     }
 }
 
-/// One function starts all programs, and passes their arguments unchanged.
+/// One function starts all programs. It uses no shell, so it passes their arguments unchanged.
 TEST(Sanity, NoShellIsStarted) {
     const std::regex start(R"((std::system|[^\w]::system|popen|execlp?|execle|execvp?e?|posix_spawnp?)\s*\()");
     for (const std::string& name : program_files()) {
@@ -131,7 +133,7 @@ TEST(Sanity, NoShellIsStarted) {
     }
 }
 
-/// Whether the text contains the code as a word: `Cn10` does not contain `Cn1`.
+/// Returns whether the text contains the code as a word: `Cn10` does not contain `Cn1`.
 bool names_code(const std::string& text, std::string_view code) {
     const auto in_word = [&](std::size_t at) {
         return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
@@ -193,7 +195,7 @@ TEST(Sanity, PathsInTextsExist) {
     EXPECT_GT(found, 1000U);
 }
 
-/// The texts between backquotes that match.
+/// Returns the texts between backquotes that match.
 std::set<std::vector<std::string>> quoted(const std::string& text, const std::string& pattern) {
     std::set<std::vector<std::string>> found;
     const std::regex expression(pattern);
@@ -202,7 +204,7 @@ std::set<std::vector<std::string>> quoted(const std::string& text, const std::st
     return found;
 }
 
-/// A source by its path, or by its name alone if it is below csp_emit.
+/// Returns a source by its path, or by its name alone if it is below csp_emit.
 fs::path source(const std::string& name) {
     if (name.find('/') != std::string::npos) return root() / name;
     for (const fs::path& path : files(root() / "csp_emit", {".cpp"}))
@@ -228,7 +230,7 @@ TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
     }
 }
 
-/// The lines of those switches over a kind of the IR that have a `default:`.
+/// Returns the lines of switches over a kind of the IR that have a `default:`.
 std::vector<std::size_t> silent_switches(const fs::path& path) {
     const std::regex over_kind(R"(^\s*case (ir::)?(Type|Expr|Stmt|Node|Machine|Comm|Component|Property|End)Kind::.*)");
     std::vector<std::size_t> found;
@@ -246,7 +248,7 @@ std::vector<std::size_t> silent_switches(const fs::path& path) {
     return found;
 }
 
-/// The compiler reports every switch that lacks a new kind, unless the switch has a `default:`.
+/// If a switch has no `default:`, the compiler reports each kind that it lacks.
 TEST(Sanity, SwitchesOverKindsOfTheIrHaveNoDefault) {
     for (const char* component : {"semantics", "csp_emit", "cpp_emit", "conformance"})
         for (const fs::path& path : files(root() / component, {".cpp", ".hpp"}))

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See source_tree.hpp.
 #include "tests/sanity/source_tree.hpp"
 
 #include <algorithm>
@@ -64,7 +63,7 @@ std::string folder_of(const std::string& file) {
 
 namespace {
 
-/// The texts between backquotes.
+/// Returns the texts between backquotes.
 std::vector<std::string> quoted_names(const std::string& text) {
     std::vector<std::string> result;
     for (std::size_t at = text.find('`'); at != std::string::npos; at = text.find('`', at + 1)) {

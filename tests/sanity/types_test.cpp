@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One name, one type: every type of a namespace must be defined once in a program. No compiler reports a violation
-// across files (C++20, [basic.def.odr]), and the linker chooses one of the two.
+// Tests that every type of a namespace is defined only once in a program. No compiler reports a violation across files
+// (C++20, [basic.def.odr]), and the linker chooses one of the definitions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,11 +15,11 @@ namespace {
 
 /// A definition at the left margin.
 struct Definition {
-    std::string name;      ///< with its named namespaces
-    bool unnamed = false;  ///< whether it is in a namespace without name
+    std::string name;      ///< qualified with its named namespaces
+    bool unnamed = false;  ///< true if it is in a namespace without name
 };
 
-/// The definitions of a source that match the pattern, whose first group is the name. Relies on the layout of
+/// Returns the definitions of a source that match the pattern. Its first group is the name. Relies on the layout of
 /// clang-format: namespaces and what they contain start at the left margin. Nested and local definitions are left out.
 std::vector<Definition> definitions(const std::string& text, const std::regex& pattern) {
     static const std::regex opening(R"((?:inline )?namespace ?([\w:]*) ?\{.*)");
@@ -45,7 +45,7 @@ std::vector<Definition> definitions(const std::string& text, const std::regex& p
     return found;
 }
 
-/// The types that a source defines in named namespaces, with these namespaces.
+/// Returns the types that a source defines in named namespaces, with these namespaces.
 std::set<std::string> defined_types(const std::string& text) {
     static const std::regex type(R"((?:class|struct|union|enum|enum class) (\w+)(?: final)?(?: :[^;]*| \{.*)?)");
     std::set<std::string> found;
@@ -60,7 +60,7 @@ std::vector<Definition> defined_constants(const std::string& text) {
     return definitions(text, constant);
 }
 
-/// The projects for simulators have separate main programs, which are never linked together.
+/// Returns false for the projects for simulators. They have separate main programs, which are never linked together.
 bool is_linked(const std::string& file) {
     return file.find("cpp_emit/projects/") == std::string::npos && file.find("/golden/") == std::string::npos;
 }
@@ -76,8 +76,8 @@ TEST(Types, AreDefinedOnceInANamespace) {
     for (const auto& [type, files] : places) EXPECT_THAT(files, ::testing::SizeIs(1)) << type;
 }
 
-/// Builds compile several sources of a component together. A constant without linkage would hide the one of a header
-/// from the sources behind it, and no compiler reports this.
+/// Builds compile several sources of a component together. Then a constant without linkage would hide the constant of a
+/// header in all sources after it, and no compiler reports this.
 TEST(Constants, OfSourcesHaveOtherNamesThanThoseOfHeaders) {
     std::set<std::string> of_headers;
     for (const std::string& file : program_files())

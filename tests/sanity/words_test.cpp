@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The project does not use the words that docs/glossary.md lists as not used: not in documentation, comments, messages
-// or identifiers.
+// Tests that the project does not use the words that docs/glossary.md lists as not used: not in documentation,
+// comments, messages or identifiers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An exception: a word in a line that contains `text`.
+/// An exception: the word is allowed in a line that contains `text`.
 struct Allowed {
     std::string_view word, file, text, reason;
 };
@@ -39,7 +39,8 @@ constexpr Allowed allowed[] = {
 
 using Words = std::vector<std::string>;
 
-/// A word with its line; `joins`: only blanks, comment marks and underscores separate it from the previous word.
+/// A word with its line. `joins` is true if only blanks, comment marks and underscores separate it from the previous
+/// word.
 struct Token {
     std::string word;
     std::size_t line;
@@ -54,7 +55,7 @@ bool is_upper(char c) {
     return std::isupper(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Words in lower case; identifiers in camel case and with underscores are split.
+/// Returns the words in lower case. Identifiers in camel case and with underscores are split.
 std::vector<Token> tokens(std::string_view text) {
     constexpr std::string_view between = " \t\r\n/*#_";
     std::vector<Token> result;
@@ -89,7 +90,7 @@ Words words(std::string_view text) {
 
 constexpr std::string_view heading = "### Words that are not used\n";
 
-/// The texts between backquotes in the first column of the table below the heading.
+/// Returns the texts between backquotes in the first column of the table below the heading.
 std::vector<Words> words_not_used() {
     const std::string glossary = read_contents(root() / "docs/glossary.md");
     std::istringstream lines(glossary.substr(std::min(glossary.find(heading), glossary.size())));
@@ -103,7 +104,7 @@ std::vector<Words> words_not_used() {
     return result;
 }
 
-/// Whether the wanted words start at this token.
+/// Returns whether the wanted words start at this token.
 bool begin_at(const Words& phrase, const std::vector<Token>& text, std::size_t at) {
     if (at + phrase.size() > text.size()) return false;
     for (std::size_t i = 0; i < phrase.size(); ++i)
@@ -117,7 +118,7 @@ std::string joined(const Words& parts) {
     return result;
 }
 
-/// (line, word) of every use.
+/// Returns (line, word) for every use.
 std::vector<std::pair<std::size_t, std::string>> uses(const std::string& text, const std::vector<Words>& not_used) {
     std::vector<std::pair<std::size_t, std::string>> result;
     const std::vector<Token> all = tokens(text);
@@ -127,8 +128,8 @@ std::vector<std::pair<std::size_t, std::string>> uses(const std::string& text, c
     return result;
 }
 
-/// Texts of the project, except CHANGELOG.md, which is history, inputs of fuzzers, which stay as they were found, and
-/// this file, which lists the exceptions.
+/// Returns the texts of the project, except CHANGELOG.md, which is history, inputs of fuzzers, which stay as they were
+/// found, and this file, which lists the exceptions.
 std::vector<std::string> texts() {
     std::vector<std::string> result;
     for (const fs::path& path : files(root(), {".cpp", ".hpp", ".h", ".txt", ".cmake", ".sh", ".py", ".js", ".md",
@@ -168,7 +169,7 @@ TEST(Words, OfTheGlossarysLastSectionAreNotUsed) {
         EXPECT_TRUE(needed.contains(&exception)) << exception.file << ": `" << exception.word << "` is not used there";
 }
 
-/// The files and types in the other tables: `checker/lts/event.hpp`, `ir::Machine`.
+/// The other tables name files and types, such as `checker/lts/event.hpp` and `ir::Machine`, which must exist.
 TEST(Words, TheGlossaryNamesPlacesAndTypesThatExist) {
     std::string glossary = read_contents(root() / "docs/glossary.md");
     glossary.resize(glossary.find(heading));

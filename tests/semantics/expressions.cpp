@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions built by hand.
+// Builds expressions for tests.
 #include "tests/semantics/expressions.hpp"
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions that build expressions for the tests of this component.
+// Builds expressions for the tests of this component.
 #pragma once
 
 #include "semantics/ir/ir.hpp"
@@ -17,7 +17,7 @@ inline constexpr CoreTypes types{};
 [[nodiscard]] ExprPtr constant(std::uint32_t index, TypeId type);
 [[nodiscard]] ExprPtr since(std::uint32_t clock);
 [[nodiscard]] ExprPtr make(ExprKind kind, TypeId type, std::vector<ExprPtr> args);
-/// A system with the core types only.
+/// Returns a system that contains only the core types.
 [[nodiscard]] System core_system();
 
 }  // namespace robochart::ir::samples

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboTool's regression models: all models in accept/ can be lowered.
+// Tests that all models in accept/ of RoboTool's regression suite can be lowered.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The founding paper's two case studies with generated controllers: ten trials of twenty robots stay within the bands,
-// and faulty controllers do not. The bands come from hand-written controllers in Enki and ARGoS.
+// Tests the founding paper's two case studies with generated controllers. Ten trials of twenty robots stay within the
+// bands, and faulty controllers do not. The bands come from hand-written controllers in Enki and ARGoS.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(Aggregation, OneClusterInAllTenTrials) {
     expect_held(aggregation_model(), aggregation_scenario());
 }
 
-/// Trials of a scenario of the aggregation study at one point of its sweep.
+/// Runs trials of a scenario of the aggregation study at one point of its sweep.
 RunResult at_point(const std::string& name, double value, std::uint32_t trials) {
     Experiment experiment(aggregation_model(), read_file(corpus + "aggregation/" + name));
     experiment.scenario = scenario_at(experiment.scenario, {value});
@@ -64,8 +64,8 @@ RunResult at_point(const std::string& name, double value, std::uint32_t trials) 
     return experiment.run();
 }
 
-/// Daymude, Harasha, Richa and Yiu, SSS 2021: without errors a symmetric ring never becomes compact; with small errors
-/// it does.
+/// Daymude, Harasha, Richa and Yiu, SSS 2021: without errors a symmetric ring never becomes compact, but with small
+/// errors it does.
 TEST(Aggregation, ASymmetricStartNeedsErrors) {
     EXPECT_EQ(at_point("symmetric.scenario", 0, 1).claims.at(0).successes, 0U);
     EXPECT_GE(at_point("symmetric.scenario", 0.1, 20).claims.at(0).successes, 15U);
@@ -132,7 +132,7 @@ TEST(SwarmTaxis, WithoutCoherenceFails) {
     expect_broken(replaced(taxis_model(), "25", "25000"), taxis_scenario());
 }
 
-/// tests_enki is built if Enki is installed; in continuous integration its absence must be noticed.
+/// tests_enki is built only if Enki is installed. If it is absent in continuous integration, the test must fail.
 TEST(CaseStudies, AreRunInEnkiToo) {
     ROBOCHART_NEEDS(ROBOCHART_TESTS_ENKI, "Enki (Debian: libenki-dev) for tests_enki");
 }
@@ -151,7 +151,7 @@ TEST(CaseStudies, ResultsDoNotDependOnThreads) {
     EXPECT_NE(one.trials[0].frames.back().poses[0].at, one.trials[1].frames.back().poses[0].at) << "seeds differ";
 }
 
-/// The paper's figures show 0, 20, 40 and 60 seconds; the recorded states belong to the recorded positions.
+/// The paper's figures show 0, 20, 40 and 60 seconds. The recorded states belong to the recorded positions.
 TEST(CaseStudies, FramesAreKeptAtThePicturesTimes) {
     Experiment experiment(aggregation_model(), replaced(aggregation_scenario(), "record 0.5 s", "record 7 s"));
     const RunResult result = experiment.run();

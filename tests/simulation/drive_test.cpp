@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface for simulators passes values of every generated type to the controller and back.
+// Tests that the interface for simulators passes values of every generated type to the controller and back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ protected:
         ADD_FAILURE() << name;
         return 0;
     }
-    /// Runs one cycle with one input; returns the value of an output.
+    /// Runs one cycle with one input. Returns the value of an output.
     rc_value step(const std::string& in, rc_value value, const std::string& out) {
         for (rc_signal& signal : signals_) signal.present = 0;
         signals_[input(in)] = {1, 0, value};
@@ -165,7 +165,7 @@ module Robot {
     EXPECT_EQ(machines[1].state_name(last.robot_state(0, 1)), "Going::Fast");
 }
 
-/// Each robot and each trial draws other alternatives, and a repeated run draws the same ones.
+/// Different robots and trials draw different alternatives, and a repeated run draws the same ones.
 TEST(Drive, RobotsDrawTheirWays) {
     Experiment experiment(R"(
 stm Coin {
@@ -204,7 +204,7 @@ stm Coin {
     EXPECT_NE(first, heads(2));
 }
 
-/// Events without a source are reported (RC-M14); a stimulus can provide a number for a nat.
+/// Events without a source are reported (RC-M14). A stimulus can provide a number for a nat.
 TEST_F(Echo, ScenarioIsBoundWithWarnings) {
     EXPECT_EQ(experiment_.codes(), "RC-M14 RC-M14 RC-M14 RC-M14") << experiment_.messages();
 }

@@ -18,7 +18,7 @@ namespace robochart::simulation::testing {
 
 namespace {
 
-/// The module with this name, or the machine if there is no such module.
+/// Returns the module with this name, or the machine if there is no such module.
 ir::ComponentRef component(const ir::System& system, const std::string& name) {
     ir::ComponentRef ref;
     ref.path = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);

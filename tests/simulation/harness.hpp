@@ -15,29 +15,29 @@
 namespace robochart::simulation::testing {
 
 std::string read_file(const std::string& path);
-/// Replaces every occurrence; fails the test if there is none.
+/// Replaces every occurrence. Fails the test if there is none.
 std::string replaced(std::string text, const std::string& what, const std::string& with);
 
-/// The case studies' models with one fault each: they fail the paper's claims in every simulator.
+/// Return variants of a case study's model with one fault each. They violate the paper's claims in every simulator.
 std::vector<std::string> broken_aggregation(const std::string& model);
 std::vector<std::string> broken_taxis(const std::string& model);
 
 struct Experiment {
-    /// `others`: the models of the scenario's other kinds of robots and of its environment.
+    /// `others` are the models of the scenario's other kinds of robots and of its environment.
     Experiment(const std::string& model, const std::string& scenario, const std::string& model_path = "model.rct",
                const std::vector<std::string>& others = {});
 
     /// Builds the controller once and runs all trials. The experiment must have no errors.
     RunResult run(unsigned threads = 2, const StageMaker& stage = embedded_stage);
-    /// The codes of the findings, in order of place: "RC-M07 RC-M08".
+    /// Returns the codes of the findings, in order of place: "RC-M07 RC-M08".
     [[nodiscard]] std::string codes() const;
-    /// The messages.
+    /// Returns the messages of the findings.
     [[nodiscard]] std::string messages() const;
 
-    /// The loaded controllers.
+    /// Returns the loaded controllers.
     [[nodiscard]] Drives drives() const;
 
-    /// Another kind of robots, or the environment.
+    /// The model of another kind of robots, or of the environment.
     struct Other {
         ir::System system;
         ir::Instantiation instantiation;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every format shows the assumptions of a verdict next to it, also if the claim holds and output is brief.
+// Tests that every format shows the assumptions of a verdict next to it, even if the claim holds or the output is
+// brief.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -101,7 +102,7 @@ TEST(Basis, TextOfOthersIsEscaped) {
 
 using Kinds = std::vector<std::pair<std::string, std::string>>;  // kind and element of each assumption
 
-/// The assumptions of each claim, by its name and time: "Free [untimed]".
+/// Returns the assumptions of each claim, by its name and time: "Free [untimed]".
 std::map<std::string, Kinds> checked(const std::vector<std::pair<std::string, std::string>>& files) {
     const testing::Folder folder(files);
     const auto ran = testing::run({"check", folder.path(), "--format", "json", "--allow", "RC-U01"});
@@ -154,8 +155,8 @@ untimed assertion FullOnce : pump::Pump refines Once in the traces model
 timed assertion InTime : pump::Pump is deadlock-free
 )";
 
-// `FullOnce` holds without an assumption: the untimed semantics keeps the guard `fills < most`, and time only removes
-// traces.
+// `FullOnce` holds without an assumption: the untimed semantics evaluates the guard `fills < most`, and time can only
+// remove traces.
 TEST(GuardBasis, NamesTheGuardsOfTheRun) {
     const auto found = checked({{"pump.rct", pump}, {"pump.assertions", about_pump}});
     const Kinds late{{"guard", "pump::Pump::t2"}};
@@ -191,14 +192,14 @@ TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {
     const auto without = checked({{"r.rct", echo}, {"r.assertions", claims("echo::Echo::a.in -> Spec")}});
     EXPECT_EQ(without,
               (std::map<std::string, Kinds>{{"A [untimed]: holds", {}}, {"A [timed]: fails", {{"noTime", ""}}}}));
-    // The specification that the verdict suggests.
+    // The specification that the note on the verdict suggests.
     const std::string open = "Once ||| RUN({tock})\nOnce = echo::Echo::a.in -> Once";
     const auto with =
         checked({{"r.rct", echo},
                  {"r.assertions", "package claims\nimport echo::*\ntimed csp Spec csp-begin\nSpec = " + open +
                                       "\ncsp-end\ntimed assertion A : echo::Echo refines Spec in the traces model\n"}});
     EXPECT_EQ(with, (std::map<std::string, Kinds>{{"A [timed]: holds", {}}}));
-    // Only the specification after the first event forbids time; the initial state lets time pass.
+    // The specification forbids time only after the first event. In the initial state, time passes.
     const auto once = checked({{"r.rct", echo},
                                {"r.assertions",
                                 "package claims\nimport echo::*\ntimed csp Spec csp-begin\n"
@@ -207,7 +208,7 @@ TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {
     EXPECT_EQ(once, (std::map<std::string, Kinds>{{"A [timed]: fails", {}}}));
 }
 
-// The deadline of B cannot be met: "`b` comes in time" is true because time cannot pass.
+// The deadline of B cannot be met. The claim "`b` comes in time" is true because time cannot pass.
 TEST(TimeBasis, TimeThatStopsAndAnEndAreNamed) {
     const char* const model = R"(
 package late
@@ -252,8 +253,8 @@ timed assertion Taken : event a is not missed in late::Late::A
                                                    {"Taken [timed]: holds", {{"timeStops", ""}}}}));
 }
 
-// `open` never occurs, so the rule Never requires nothing. Time stops before the deadline of Soon, so Soon is not
-// violated.
+// `open` never occurs, so the rule Never requires nothing. Time stops before the deadline of the rule Soon, so Soon is
+// not violated.
 TEST(RuleBasis, TimeThatStopsAndRulesThatAskForNothingAreNamed) {
     const auto found = checked(
         {{"late.rct",

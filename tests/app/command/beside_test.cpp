@@ -102,7 +102,7 @@ TEST(Beside, OtherVerbsHaveThemToo) {
     EXPECT_TRUE(json::parse(part(ran.out, "r.json")).contains("schema"));
 }
 
-// The requirements of GitHub's service and Microsoft's validator on a SARIF log.
+// The SARIF log must satisfy the requirements of GitHub's service and of Microsoft's validator.
 TEST(Beside, ResultsOfCorePropertiesHavePlaces) {
     const Ran ran = run_shell(
         "echo 'stm Sitter { initial i state A { } transition t0 { from i to A } }' > m.rct\n"
@@ -133,7 +133,7 @@ TEST(Beside, TitlesOfRulesHaveNoHoles) {
     }
 }
 
-/// A slip on the command line must not cost a model. Answers of earlier runs are replaced.
+/// A slip on the command line must not overwrite a model. Answers of earlier runs may be replaced.
 TEST(Beside, NothingThatIsReadIsOverwritten) {
     for (const char* arguments : {"check gate --json gate/gate.rct", "check gate/gate.rct --html gate/gate.assertions",
                                   "validate gate --sarif ./gate/../gate/gate.rct", "check gate --junit gate/gate.rct",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertions in csp blocks, and blocks that replace the instantiation that the heading of the report shows.
+// Tests assertions in csp blocks, and blocks that replace the instantiation. The heading of the report shows the
+// instantiation.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -20,7 +21,7 @@ const std::string model =
     "package p stm S { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger "
     "e } }";
 
-/// A model whose assertion file has a block with these assert lines, and a claim that holds.
+/// Returns a folder with a model, a claim that holds, and a block with these assert lines.
 Folder claiming(const std::string& lines) {
     return Folder({{"m.rct", model},
                    {"m.assertions", "package q import p::* untimed csp X csp-begin\nX = STOP\n" + lines +
@@ -52,7 +53,7 @@ TEST(BlockClaims, ADenialThatDoesNotHoldFailsWithoutARun) {
     EXPECT_THAT(ran.out, HasSubstr("what it denies holds"));
 }
 
-// The generated script contains each of them once.
+// The generated script contains each assert line once.
 TEST(BlockClaims, AreWrittenOnce) {
     const Folder folder = claiming("assert STOP [T= p::S::O__(0)\n");
     EXPECT_EQ(run({"emit", "csp", folder.path(), "--untimed", "--out", folder / "out"}).exit, 0);
@@ -74,8 +75,8 @@ TEST(BlockClaims, ABlockOfInstantiationsIsSaidToReplaceThem) {
     EXPECT_THAT(ran.out, HasSubstr("the csp block Instantiations replaces that in the scripts"));
 }
 
-/// If a block sets constants, the verdict on the code is about other constants than the claims. The warning is omitted
-/// if the command line sets the same constants.
+/// If a block sets constants, the claims and the verdict on the code use different constants, and a warning says so. It
+/// is omitted if the command line sets the same constants.
 TEST(BlockClaims, ConformSaysWhatItHasOtherValuesOf) {
     const std::string machine =
         "package p function f(x : nat) : nat { } stm S { event o : nat const k : nat const j : nat = 2 initial i "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cached results of earlier runs make a run faster and change none of its answers.
+// Tests that cached results of earlier runs make a run faster and change none of its answers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(Cache, CompiledCodeIsKept) {
     const std::string model = repository("corpus/aggregation");
     const Ran ran = run_shell("export XDG_CACHE_HOME=\"$PWD/cache\"; $verify conform -q " + model +
                               " && find cache -type f | wc -l && PATH= $verify conform -q " + model);
-    // The second run has no compiler whose version it could compare, so it must not use the cached object.
+    // The second run finds no compiler whose version it could compare, so it must not use the cached object.
     EXPECT_THAT(ran.out, HasSubstr("1 of 1 controllers conform"));
     EXPECT_NE(ran.exit, 0);
     const Ran again = run_shell("export XDG_CACHE_HOME=\"$PWD/cache\"; for i in 1 2; do $verify conform -q " + model +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `simulate` with a scenario that has a chain, as a user runs it: answers, refutation, files, rejected inputs.
+// Tests `simulate` with a scenario that defines a chain: answers, refutation, files, rejected inputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return at == std::string::npos ? text : text.replace(at, what.size(), with);
 }
 
-/// A folder with the scenario and a copy of the model.
+/// Returns a folder with the scenario and a copy of the model.
 Folder folder_with(const std::string& text) {
     return Folder({{"m/foraging.rct", tests::read_contents(repository("corpus/foraging/foraging.rct"))},
                    {"m/chain.scenario", text}});
@@ -55,8 +55,8 @@ TEST(Chain, AnswersAndLeavesFiles) {
 }
 
 /// The time to return home depends on the distance, and a search takes at most twenty seconds. With steps of five
-/// seconds, the state does not determine how long a robot has been in it. A robot that was on its way home cannot
-/// search again after five seconds, because it rests for as long.
+/// seconds, the state does not determine how long a robot has been in it. A robot that was on its way home five seconds
+/// ago cannot be searching now, because it must first rest for five seconds.
 TEST(Chain, IsRefutedWhereTheStateSaysTooLittle) {
     const Folder folder = folder_with(
         replaced(replaced(scenario(), "every 60 s", "every 5 s"), "estimate probability homing >= 50 % within",
@@ -70,7 +70,7 @@ TEST(Chain, IsRefutedWhereTheStateSaysTooLittle) {
     EXPECT_THAT(ran.out, HasSubstr("refuted: the chain is no abstraction here"));
 }
 
-/// The behaviour of the code over several time units is not excluded by what the model admits in one time unit.
+/// What the model admits in one time unit must not exclude what the code does in several.
 TEST(Chain, SeveralTimeUnitsInAStepExcludeNothing) {
     const Folder folder = folder_with(replaced(scenario(), "unit 1 s", "unit 0.5 s"));
     const Ran ran = run({"simulate", folder / "m/chain.scenario", "--no-pictures", "--trials", "30"});
@@ -78,7 +78,8 @@ TEST(Chain, SeveralTimeUnitsInAStepExcludeNothing) {
     EXPECT_THAT(ran.out, HasSubstr(" 0 excluded: several time units pass in a control step"));
 }
 
-/// With few trials the claim about the corpus' decision stays undecided, and no test refutes the chain.
+/// With few trials, the claim about the decision of the corpus (best_of_n) stays undecided, and no test refutes the
+/// chain.
 TEST(Chain, OfTheDecisionIsNotRefuted) {
     const Ran ran =
         run({"simulate", repository("corpus/best_of_n/chain.scenario"), "--no-pictures", "--trials", "200"});
@@ -87,8 +88,8 @@ TEST(Chain, OfTheDecisionIsNotRefuted) {
     EXPECT_THAT(ran.out, HasSubstr("fresh trials do not contradict the chain at 13 times"));
 }
 
-/// The chain does not observe the robots that say B, so it treats the start like a state in which all robots say B. The
-/// next states differ.
+/// The chain does not observe the robots that say B. So it cannot distinguish the start from a state in which all
+/// robots say B, although their next states differ.
 TEST(Chain, WithTooFewObservationsIsRefutedByTheOrderTest) {
     std::string text = tests::read_contents(repository("corpus/best_of_n/chain.scenario"));
     text.erase(text.find("abstract by"));
@@ -117,7 +118,7 @@ TEST(Chain, OptionsOfTrialsThatAreWatchedAreRefused) {
     }
 }
 
-/// A trial that a limit ends leaves the answer open.
+/// If a limit ends a trial, the answer stays open.
 TEST(Chain, LimitsAreObeyed) {
     const Folder folder = folder_with(replaced(scenario(), "duration 600 s", "duration 100000 s"));
     const Ran ran =

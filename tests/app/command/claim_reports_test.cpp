@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims in JUnit's XML, in SARIF and on the page of `--html`.
+// Tests how claims appear in JUnit's XML, in SARIF and on the page of `--html`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,8 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Held for three time units, then it reverses. An obstacle and a stop in one cycle: it halts, and then brakes.
+/// An obstacle holds the robot for three time units, and then it reverses. If an obstacle and a stop come in one cycle,
+/// it halts and then brakes.
 constexpr const char* robot =
     "package p\ninterface Motion { halt() reverse() brake() }\n"
     "stm Robot { requires Motion event obstacle event estop clock T initial i\n"
@@ -78,8 +79,8 @@ TEST_F(ClaimReports, InSarif) {
     }
 }
 
-/// An order makes the claim hold of the code. The model in cycles still allows other orders: this is information, as
-/// the code is what `conform` judges.
+/// Because of the order, the code satisfies the claim. The model in cycles still allows other orders of events. This is
+/// only reported as information, because `conform` judges the code.
 TEST(CycleClaimReports, FollowTheCode) {
     const Folder folder({{"m/robot.rct", robot},
                          {"m/robot.claims",
@@ -96,7 +97,7 @@ TEST(CycleClaimReports, FollowTheCode) {
     for (const json& result : sarif.at("runs").at(0).at("results")) EXPECT_NE(result.at("kind"), "fail");
 }
 
-/// A run that compares the code answers these claims, so it does not list them as undecided as well.
+/// A run that compares the code answers these claims, so the list of undecided claims must not contain them.
 TEST(CycleClaimReports, AreAnsweredOnce) {
     const std::string claim =
         "claim First : in a cycle with estop, any call but brake only after brake\nclaim Back : reverse at least 0.3 s "
@@ -117,7 +118,8 @@ TEST(CycleClaimReports, AreAnsweredOnce) {
     EXPECT_THAT(quiet.out, HasSubstr("1 of 1 controllers conform, 0 of 1 claim about cycles hold"));
 }
 
-/// The comparison with few values does not decide a claim about values. The values of the carriers do.
+/// A claim about values is not decided with the few values with which the code is compared, but with the values of the
+/// carriers.
 TEST(CycleClaimReports, CompareValuesOfTheCarriers) {
     const Folder folder(
         {{"m/robot.rct",
@@ -140,7 +142,7 @@ TEST(CycleClaimReports, CompareValuesOfTheCarriers) {
     EXPECT_THAT(ran.out, HasSubstr("for the values of the carriers only"));
 }
 
-/// The scope begins with the obstacle; between halt and the reverse that breaks the claim, time is owed.
+/// The scope begins with the obstacle. Between halt and the reverse that violates the claim, time must pass.
 TEST_F(ClaimReports, OnThePage) {
     const std::string page = folder_ / "page.html";
     EXPECT_EQ(ask("check", {"--html", page}).exit, 1);

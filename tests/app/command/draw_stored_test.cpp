@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `draw` with the diagrams that RoboTool stores next to a model.
+// Tests `draw` with the diagrams that RoboTool stores next to a model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ constexpr const char* machine =
     "stm S {\n event e\n initial i\n state A { }\n transition t { from i to A }\n transition u { from A to A trigger e "
     "}\n}\n";
 
-/// The file stores two nodes, 300 pixels apart; the program routes the transitions.
+/// The file stores the positions of two nodes, 300 pixels apart. The program routes the transitions.
 constexpr const char* diagrams =
     "<XMI xmlns:xmi=\"m\"><d:DSemanticDiagram xmlns:d=\"d\"><ownedAnnotationEntries><data "
     "xmi:type=\"notation:Diagram\">"
@@ -40,7 +40,7 @@ constexpr const char* diagrams =
     "href=\"x[name='StateID']\"/></ownedDiagramElements>"
     "</d:DSemanticDiagram></XMI>";
 
-/// A folder with the model and a file of diagrams.
+/// Runs the commands in a folder with the model and a file of diagrams.
 std::string with(const std::string& aird, const std::string& commands) {
     return std::string("cat > m.rct <<'EOF'\n") + machine + "EOF\ncat > representations.aird <<'EOF'\n" + aird +
            "\nEOF\n" + commands;
@@ -59,7 +59,7 @@ TEST(DrawStored, UsesWhatAPersonDrew) {
     EXPECT_THAT(own.err, Not(HasSubstr("RC-D0")));
 }
 
-/// These formats contain no positions.
+/// The formats for other programs contain no positions.
 TEST(DrawStored, FormatsForOtherProgramsAreAsWithoutIt) {
     for (const std::string format : {"dot", "mermaid"}) {
         const std::string command = "\"$verify\" draw m.rct S --allow STM8 --format " + format;
@@ -90,7 +90,7 @@ TEST(DrawStored, FilesThatAreNoneAreANote) {
     EXPECT_THAT(ran.err, HasSubstr("note[RC-D01]"));
 }
 
-/// The command never writes this file.
+/// The command never writes the file of diagrams.
 TEST(DrawStored, LeavesTheFileAsItIs) {
     const auto ran = run_shell(with(diagrams,
                                     "chmod 400 representations.aird; cp -p representations.aird before; "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `draw` as a user runs it: all diagrams into a folder, one to standard output or a file, formats, rejected
+// Tests the verb `draw`: all diagrams into a folder, one diagram to standard output or a file, formats, rejected
 // inputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -112,7 +112,8 @@ TEST(Draw, ImagesAreMadeByRsvgConvert) {
     EXPECT_THAT(run({"draw", model, "AggregationFSM", "--format", "pdf"}).out, StartsWith("%PDF"));
 }
 
-/// Checks every diagram of both case studies: chunks with their checksums, and the tree of objects.
+/// Checks every diagram of both case studies: the chunks of PNG files with their checksums, and the objects of PDF
+/// files.
 TEST(Draw, ImagesAreAcceptedByProgramsThatReadThem) {
     for (const char* const program : {"rsvg-convert", "pngcheck", "pdfinfo"})
         ROBOCHART_NEEDS(std::system(("command -v " + std::string(program) + " > /dev/null 2>&1").c_str()) == 0,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `emit prism` as a user runs it: the file, ranges from preferences, bad input.
+// Tests `emit prism`: the file, ranges from preferences, bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Two machines joined by a buffer; `n` counts.
+/// Two machines joined by a buffer. The variable `n` counts.
 constexpr const char* counter =
     "robotic platform R { }\n"
     "stm S { event e var n : int initial i state A { } transition t0 { from i to A }\n"
@@ -45,7 +45,7 @@ TEST_F(EmitPrism, PreferencesGiveTheRanges) {
     EXPECT_THAT(written(), HasSubstr("M_c_s_n : [0..7];"));
 }
 
-/// A PRISM model that was not generated from RoboChart gets no such advice.
+/// The advice is missing if the PRISM model was not generated from RoboChart.
 TEST_F(EmitPrism, AValueOutOfItsRangeSaysWhatSetsTheRange) {
     EXPECT_EQ(emit({"--range", "int=0..2", "--range", "nat=0..2"}).exit, 0);
     const Ran ran = run({"prism", folder_ / "out/prism/M.prism"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `emit rst`: every construct that RoboSim can express is written, read back and proved equal to the component in
-// cycles; a fault in the text makes a claim fail; other constructs are refused by name (docs/robosim.md).
+// Tests `emit rst`. Every construct that RoboSim can express is written, read back and proved equal to the component in
+// cycles. A fault in the text makes a claim fail. Other constructs are refused by name (docs/robosim.md).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Small models, each about a few constructs. The component is `S`, `C` or `M`.
+/// Small models with a few constructs each. The component is `S`, `C` or `M`.
 struct Example {
     const char* name;
     const char* component;
@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(, EmitRst, ::testing::ValuesIn(examples), name_of);
 
 // ---------------------------------------------------------------- faults
 
-/// A fault: in the text of an example, the first occurrence of `good` becomes `bad`.
+/// A fault in the text of an example: the first occurrence of `good` becomes `bad`.
 struct Fault {
     const char* example;
     const char* good;
@@ -215,7 +215,7 @@ const Fault faults[] = {
     {"Operations", "$height < 2", "true"},
 };
 
-/// Every fault makes a claim fail, or the text is wrong.
+/// Every fault makes a claim fail.
 TEST(EmitRstFaults, AreNoticed) {
     for (const Fault& fault : faults) {
         const auto example = std::ranges::find(examples, std::string_view(fault.example),
@@ -242,8 +242,8 @@ TEST(EmitRstFaults, AreNoticed) {
 
 // ---------------------------------------------------------------- case studies
 
-/// The files of every module of the corpus are valid and in the standard layout. The claims of the small ones hold; the
-/// documents prove those of aggregation.
+/// The files of every module of the corpus are valid and in the standard layout. The claims of the small modules hold.
+/// The commands in the documents prove those of aggregation.
 TEST(EmitRstCorpus, IsReadBackAndProved) {
     const std::string corpus = (tests::source_folder() / "corpus").string();
     for (const auto& [model, module] : std::vector<std::pair<std::string, std::string>>{{"aggregation", "Aggregation"},

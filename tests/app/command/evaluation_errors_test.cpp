@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An evaluation error is reported with its place in the model, with exit code 2, by every verb that evaluates a script.
+// Tests that every verb that evaluates a script reports an evaluation error with its place in the model, and exits with
+// code 2.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ const std::string log = "robochart-trace 1\ncomponent Sorter\nrun one\nweight?0 
 
 struct Question {
     const char* name;
-    std::vector<std::string> arguments;  ///< after the verb's own; "MODEL", "RULES" and "LOG" are files
+    std::vector<std::string> arguments;  ///< follow those of the verb; "MODEL", "RULES" and "LOG" are files
     std::string input;
 };
 
@@ -73,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Verbs, EvaluationErrors,
                                            Question{"step", {"step", "MODEL", "Sorter"}, "1\n1\n1\n"}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-// Line 7 reads the element of index i of two: 1, then 0, which the functions of the scripts' library find at the end.
+// Line 7 reads element i of a sequence of two. With i = 1 the element exists. With i = 0, a function of the scripts'
+// library detects the error at its end.
 const std::string indexed = R"(stm Belt {
 	event next
 	event lane : nat
@@ -119,8 +121,8 @@ TEST(MissingElementsOfTheEmptySequence, AreSaid) {
     EXPECT_THAT(ran.out, HasSubstr("belt.rct:5: the sequence is empty"));
 }
 
-/// Two machines: Worker computes a remainder by a number that only Feeder sends. Feeder sends 2, 1 and then 3 or, if it
-/// `may`, 0.
+/// Returns two machines. Worker computes a remainder by a number that only Feeder sends. Feeder sends 2, 1 and then 3
+/// or, if it `may`, 0.
 std::vector<std::pair<std::string, std::string>> fed_worker(bool may) {
     const std::string last = may ? "0" : "3";
     return {{"m/m.rct",
@@ -154,7 +156,7 @@ nlohmann::json answers_of(const Ran& ran) {
     return result;
 }
 
-/// No run of the controller divides by 0: Worker alone would take 0.
+/// Worker alone would accept 0, but no run of the controller divides by 0.
 TEST(EvaluationErrorsOfParts, ThatNoRunReachesDecideNothing) {
     const Folder folder(fed_worker(false));
     const Ran ran = run({"check", folder / "m", "--no-cache", "--format", "json"});
@@ -166,7 +168,8 @@ TEST(EvaluationErrorsOfParts, ThatNoRunReachesDecideNothing) {
     EXPECT_EQ(answers.at("Ends").at("answer"), "fails") << ran.out;
 }
 
-/// A claim that fails before the division by 0 fails. Another one has no answer, but a run to the division.
+/// A claim that fails before the division by 0 fails. A claim that does not is undecided, and its report shows a run to
+/// the division.
 TEST(EvaluationErrorsOfParts, ThatARunReachesAreShownWithTheRun) {
     const Folder folder(fed_worker(true));
     const Ran ran = run({"check", folder / "m", "--no-cache", "--format", "json"});
@@ -186,7 +189,8 @@ TEST(EvaluationErrorsOfParts, ThatARunReachesAreShownWithTheRun) {
     EXPECT_EQ(ran.exit, 2) << ran.err;
 }
 
-// Line 2 declares the call: its two reals have too many combinations of values.
+// The error has the place of line 2, which declares the call: its two real parameters have too many combinations of
+// values.
 TEST(EvaluationErrorsOfTypes, HaveThePlaceOfTheDeclaration) {
     const Folder folder(
         {{"arm.rct",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declared orders of events in monitors, logs, claims along runs, the event API and several machines: right code is
-// never reported, and code that ignores the order is found.
+// Tests declared orders of events in monitors, logs, claims along runs, the event API and several machines. Correct
+// code is never reported, and code that ignores the order is found.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,13 +42,14 @@ stm Patrol {
 )";
 constexpr const char* order = "import stop::*\norder Patrol : estop first, estop drops reset\n";
 
-/// A claim that would be broken by a reset that is dropped.
+/// Claims that would be violated if a dropped reset were still expected to have its effect.
 constexpr const char* claims =
     "claim Drives : after estop until goTo, reset leads to goTo within 0 units\n"
     "claim Stays : after estop until reset, never goTo or reverse\n"
     "claim Resumes : after each estop, goTo only after reset\n";
 
-/// 20,000 random cycles of the code. Exit 0: the monitors allow all; 1 to 4: one does not.
+/// Runs 20,000 random cycles of the code. The exit code is 0 if all monitors allow them, or the number of the monitor
+/// (1 to 4) that does not.
 constexpr const char* program = R"(#include <random>
 #include "Patrol_core.hpp"
 #include "Drives_monitor.hpp"
@@ -133,7 +134,8 @@ TEST_F(EventOrder, MonitorsAllowRightCodeAndFindCodeThatIgnoresIt) {
     EXPECT_EQ(run_with("wrong"), 1) << "the monitor of the model";
 }
 
-/// In Emergency with estop and reset: the robot stays there. Without the order it drives.
+/// In the state Emergency, estop and reset come in the same cycle. With the order, the robot stays there. Without the
+/// order, it drives.
 TEST_F(EventOrder, IsKnownWhenLogsAreCompared) {
     const std::string head = "robochart-trace 1\ncomponent Patrol\n";
     const Folder logs({{"right.trace", head + "run a\nestop? brake! tock\nestop? reset? tock\nreset? goTo!1 tock\n"},
@@ -146,7 +148,7 @@ TEST_F(EventOrder, IsKnownWhenLogsAreCompared) {
     EXPECT_EQ(run({"conform", folder_ / "plain", "--traces", logs / "wrong.trace"}).exit, 0);
 }
 
-/// A reset that is dropped owes no goTo. Inputs of a cycle are simultaneous, in whichever order the log has them.
+/// A dropped reset does not require a goTo. Inputs of a cycle are simultaneous, whatever their order in the log.
 TEST_F(EventOrder, CountsForClaimsAlongLogs) {
     const std::string head = "robochart-trace 1\ncomponent Patrol\n";
     const Folder logs({{"a.trace", head + "run a\nestop? brake! tock\nestop? reset? tock\n"},
@@ -160,7 +162,7 @@ TEST_F(EventOrder, CountsForClaimsAlongLogs) {
     EXPECT_EQ(exit_of("c.trace"), 1) << "reset alone owes goTo";
 }
 
-/// The graph of an adaptive suite is that of the model behind the filter.
+/// The graph of an adaptive suite is computed from the model under the filter, which drops events.
 TEST_F(EventOrder, IsObeyedByTestSuites) {
     for (const char* const model : {"m", "plain"}) {
         const Ran suite = run({"emit", "tests", folder_ / (std::string(model) + "/patrol.rct"), "-o", folder_ / model});
@@ -205,7 +207,7 @@ int main() {
     EXPECT_EQ(ran.exit, 0) << ran.err;
 }
 
-/// The second machine has a first event. The module raises it under another name.
+/// The order declares a first event of the second machine. The module has another name for this event.
 constexpr const char* two_machines = R"(package duo
 interface Motion { halt() brake() }
 interface Sensors { event obstacle event estop event reset }
@@ -240,8 +242,8 @@ std::string answers_of(const std::string& orders) {
     return ran.out;
 }
 
-/// A machine that can take a first event moves before the others. What a machine's order drops are events of the
-/// module.
+/// A machine that can take its first event moves before the other machines. The events that the order of a machine
+/// drops are events of the module.
 TEST(EventOrders, OfSeveralMachines) {
     const std::string neither = answers_of("");
     EXPECT_THAT(neither, HasSubstr("FAILS        First [this code]"));

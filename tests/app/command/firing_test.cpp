@@ -50,8 +50,8 @@ transition t3 { from B to B trigger e condition x == 1 } })");
     EXPECT_THAT(out, Not(HasSubstr("t3")));
 }
 
-// A transition that waits in an exit action is neither at its target nor in its own action. Which transition it is
-// depends on the state that it will enter.
+// A machine that waits in an exit action is not at the target of its transition yet, and has not performed the
+// transition's action. The state that it will enter shows which transition it is taking.
 TEST(Firing, TransitionsThatWaitInAnExitActionAreTaken) {
     const std::string out = checked(R"(stm S { event a event b initial i
 state A { exit wait(1) } state B { }
@@ -87,12 +87,12 @@ transition t3 { from B to A trigger e } })",
     FAIL() << out;
 }
 
-/// This machine never sends `o`.
+/// A machine that never sends `o`.
 const std::string silent = R"(stm Silent { event o initial i state A { } state B { entry send o }
 transition t0 { from i to A } transition t1 { from A to B condition false } transition t2 { from B to A } }
 )";
 
-// The machine alone accepts `never` from its environment. In the controller no component sends it.
+// The environment of the machine alone may send `never`. In the controller, no component sends it.
 TEST(Firing, IsAskedInTheContextOfEachComponent) {
     const std::string out = checked(silent + R"(stm S { event e event never initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to A trigger e } transition t2 { from A to B trigger never }
@@ -118,7 +118,7 @@ connection C on e to one on e connection u on o to two on e })");
     EXPECT_THAT(inside, Not(HasSubstr("one: t1")));
 }
 
-/// A machine that cycles through 30 states.
+/// Returns a machine that cycles through 30 states.
 std::string ring(const std::string& name) {
     std::string text = "stm " + name + " { event e initial i var x : nat\ntransition t0 { from i to A0 }\n";
     for (int at = 0; at < 30; ++at)

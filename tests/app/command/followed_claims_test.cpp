@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims along runs outside of the model: monitors of simulations, claims that scenarios accept, monitors in C++.
+// Tests claims along runs outside of the model: monitors of simulations, acceptance of claims in scenarios, monitors in
+// C++.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-/// Brakes three time units after each estop; forgets an estop that comes meanwhile.
+/// A robot that brakes three time units after each estop, and forgets an estop that comes in between.
 constexpr const char* robot =
     "package p\ninterface Motors { brake() go(v : nat) }\ninterface Buttons { event estop event level : nat }\n"
     "stm Robot { requires Motors uses Buttons clock T var l : nat initial i\n"
@@ -49,7 +50,7 @@ Ran simulate(const std::string& items, const std::string& text = claims, const s
     return run(arguments);
 }
 
-/// Both inputs come at 0.5 s. The monitor of the model and the code know that the order drops one.
+/// Both inputs come at 0.5 s. The monitor and the code both know that the order drops one of them.
 TEST(FollowedClaims, MonitorsOfModelsKnowWhatIsDropped) {
     const std::string both = "stimulus level = 3 at 0.5 s";
     const Ran simulated = simulate(both, "import p::*\nunit 0.1 s\norder Robot : estop drops level\n", {"--monitor"});

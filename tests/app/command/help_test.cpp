@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Help, man page and completions list exactly the options of the table; docs/cli.md names the verbs and exit codes.
+// Tests that help, man page and completions list exactly the options of the table, and that docs/cli.md names the verbs
+// and exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ using ::testing::StartsWith;
 
 using Names = std::set<std::string>;
 
-/// All matches of the first group of the pattern.
+/// Returns the first group of every match of the pattern.
 Names found(const std::string& text, const std::string& pattern) {
     Names names;
     const std::regex expression(pattern);
@@ -42,7 +43,7 @@ Names all_names() {
     return names_of(options_of(~Verbs{0}));
 }
 
-/// The options at the beginning of lines of a help text.
+/// Returns the options at the beginning of the lines of a help text.
 Names listed(const std::string& help) {
     Names names = found(help, "\n  (?:-[a-z], |    )(--[a-z][a-z0-9-]*)");
     names.merge(found(help, "\n  (-[a-z]), --"));
@@ -152,7 +153,7 @@ TEST(Completions, NameTheOptionsAndNoOthers) {
     EXPECT_EQ(in_zsh, all_names());
 }
 
-/// `explain` and `--allow` complete codes, also in lower case.
+/// Bash completes the codes after `explain` and `--allow`, also in lower case.
 TEST(Completions, OfCodesInBash) {
     const auto completed = [](const std::string& words, int current) {
         return run_shell(

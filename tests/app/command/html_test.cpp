@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `--html`: the page agrees with the JSON, marks existing elements, and runs no code from the model.
+// Tests `--html`: the page agrees with the JSON, marks existing elements, and runs no code from the model.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(Html, HasTheStepsOfEachCounterexample) {
     }
 }
 
-// "0:e5 1:e9" in `data-on` and `data-fired`: element e5 of the first figure of the claim.
+// `data-on` and `data-fired` contain, for example, "0:e5 1:e9". "0:e5" is element e5 of the first figure of the claim.
 TEST(Html, MarksElementsOfItsDiagrams) {
     const Both both =
         reported({repository("corpus/aggregation"), repository("corpus/false_claims/aggregation.assertions")});
@@ -84,7 +84,7 @@ transition t0 { from i to A } transition t1 { from A to B trigger e } })"},
                           all_matches(claim, "class=\"edge[^\"]*\" id=\"[^\"]*\" data-element=\"(e[0-9]+)\"").at(1)));
 }
 
-// Without script the page shows the diagrams after the last step, in which t1 has led to B.
+// Without scripts, the page shows the diagrams after the last step. There, t1 has led to B.
 TEST(Html, ShowsTheEndWithoutScript) {
     const Folder folder(
         {{"m.rct", R"(package p stm S { event e initial i var x : nat state A { } state B { }
@@ -129,7 +129,8 @@ controller C { event f sref a = S connection C on f to a on e })");
     EXPECT_THAT(diagrams, HasSubstr("<li>C, f -&gt; ref a = S, e</li>"));
 }
 
-// B is never reached and t1 never taken; t2 is taken only in the machine without its context.
+// The page draws dashed what no run exercises: B and t1 are never reached, and t2 is taken only in the machine without
+// its context.
 TEST(Html, WhatNoRunExercisesIsDashed) {
     const TemporaryFile file("m.rct", R"(package p stm S { event e initial i var x : nat state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B trigger e condition x > 1 }
@@ -142,7 +143,7 @@ transition t2 { from A to A trigger e } })");
                 ::testing::ElementsAre("state B"));
 }
 
-// Both transitions have no trigger: the machine takes them indefinitely without time passing.
+// Both transitions have no trigger, so the machine can take them indefinitely without time passing.
 TEST(Html, AModelThatIsNotSchedulableIsSteppedThrough) {
     const TemporaryFile file("m.rct", R"(package p stm S { initial i state A { } state B { }
 transition t0 { from i to A } transition t1 { from A to B } transition t2 { from B to A } })");
@@ -157,7 +158,8 @@ transition t0 { from i to A } transition t1 { from A to B } transition t2 { from
     EXPECT_THAT(texts_between(page, "<pre tabindex=\"0\">", "</pre>").at(0), HasSubstr("\n")) << "line by line";
 }
 
-/// Shell commands that put a wrapper before the compiler. The wrapper changes the generated code with this sed script.
+/// Returns shell commands that put a wrapper before the compiler. The wrapper changes the generated code with this sed
+/// script.
 std::string with_changed_code(const std::string& change) {
     return R"sh(mkdir bin; cat > bin/c++ <<'END'
 #!/bin/sh
@@ -170,7 +172,7 @@ chmod +x bin/c++; export PATH="$PWD/bin:$PATH"; export CHANGE=)sh" +
            ("'" + change + "'\n");
 }
 
-// The code turns the other way. The model's run ends before that turn, in the state whose action turns.
+// The changed code turns the other way. The model's run ends before that turn, in the state whose action turns.
 TEST(Html, CodeThatDiffersIsSteppedThrough) {
     const Ran ran = run_shell(with_changed_code("s/Real(90.0)/Real(-90.0)/") +
                               "\"$verify\" init w > /dev/null\n"
@@ -214,7 +216,7 @@ TEST(Html, NothingOfTheModelActs) {
     EXPECT_THAT(both.page, HasSubstr("&lt;img"));
 }
 
-// One log that the model accepts, and one that calls turn before forward: the page follows it up to that call.
+// The model accepts the first log. The second log calls turn before forward, and the page follows it up to that call.
 TEST(Html, LogsAreSteppedThrough) {
     const Folder folder;
     const auto log = [&](const std::string& name, const std::string& cycle) {
@@ -251,7 +253,7 @@ TEST(Html, ShowsTheErrorsOfARefusedModel) {
     EXPECT_GT(nlohmann::json::parse(read_contents(folder / "r.json"))["errors"], 0);
 }
 
-// Wrong usage is no answer about the model.
+// Wrong usage gives no answer about the model, so no page is written.
 TEST(Html, IsNotWrittenForWrongUsage) {
     const std::string good = "stm S {\n initial i\n state A {}\n transition t { from i to A }\n}\n";
     const Folder folder({{"good.rct", good}});
@@ -277,7 +279,7 @@ const std::string shown =
     "'#ID figure[data-machine=\"' + machine + '\"] .on > title'), (title) => title.textContent.trim().split(' "
     "').at(-1)))]\n";
 
-/// The active states of each machine according to the JSON, in the order of the figures.
+/// Returns the active states of each machine according to the JSON, in the order of the figures.
 std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
                                                 const std::vector<std::string>& components) {
     std::vector<std::vector<std::string>> result(components.size());
@@ -289,8 +291,8 @@ std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
     return result;
 }
 
-/// The checks of a counterexample and the number of lines that each prints: its figures; each step by keyboard from the
-/// beginning to the end; then the steps selected by Home and End.
+/// The checks of one counterexample in the browser: its figures, each step from the beginning to the end (selected by
+/// keyboard), and the steps that Home and End select. `lines` returns how many lines the checks print.
 struct Tour {
     std::string id, commands;
     const nlohmann::json* run = nullptr;
@@ -351,7 +353,7 @@ TEST_F(HtmlInABrowser, EachStepFillsTheStatesOfItsData) {
     }
 }
 
-// On the way to the forbidden event the machine is in the operation's state.
+// On the way to the forbidden event, the machine is in a state of the operation that it has called.
 TEST(Html, OperationsThatAreCalledAreDrawnToo) {
     const Folder folder(
         {{"m.rct",
@@ -405,7 +407,7 @@ const std::string reached_page =
     "untimed assertion A : p::S is deadlock-free\nuntimed assertion M : p::S::A is reachable in p::S\nEOT\n"
     "(\"$verify\" check m.rct m.assertions --html page.html; true)";
 
-// The test replaces the timer: the page requests a call of `due` after `asked` milliseconds.
+// The test replaces the browser's timer. The page has requested a call of `due` after `asked` milliseconds.
 TEST_F(HtmlInABrowser, PlaysFromTheBeginningToTheEnd) {
     const std::string look = "print [location.hash, document.querySelector('#a0 .play').textContent]\n";
     const std::string clock =
@@ -446,7 +448,8 @@ TEST_F(HtmlInABrowser, CopiesALinkToAStep) {
                                               "\"the link to step 1, to be copied\"", "true"));
 }
 
-// By keyboard: descending, ascending, original order. Without script the table has the original order and no buttons.
+// The table is sorted by keyboard: descending, ascending, original order. Without scripts, the table has the original
+// order and no buttons.
 TEST_F(HtmlInABrowser, SortsTheVerdicts) {
     const std::string claims =
         "print Array.from(document.querySelectorAll('#verdicts tbody tr'), (row) => "

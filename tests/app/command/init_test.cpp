@@ -56,7 +56,7 @@ TEST(Init, LeavesNoMarkOfATemplate) {
     EXPECT_THAT(ran.out, Not(HasSubstr("@")));
 }
 
-// Names of the model's own parts, and words of CSPM and C++.
+// The names are those of the model's own elements and reserved words of CSPM and C++.
 TEST(Init, TakesNamesThatOtherLanguagesReserve) {
     for (const std::string name :
          {"Robot", "Wander", "Brain", "Motors", "class", "int", "std", "tock", "STOP", "Seq"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenarios with several kinds of robots and an environment, as a user runs them: findings, constants, logs, monitors,
-// sweeps, tuning, the page.
+// Tests scenarios with several kinds of robots and an environment: findings, constants, logs, monitors, sweeps, tuning,
+// the page.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ controller Brain { requires Legs uses Ears sref runner = Runner connection Brain
 module Sheep { rref body = Body cref brain = Brain connection body on shout to brain on shout (_async) }
 )";
 
-/// Drives back for a number of time units. Its unused declarations cause warnings.
+/// A robot that drives back for a number of time units. Its unused declarations cause warnings.
 constexpr const char* leader = R"(package lead
 interface Wheels { const pace : nat back() halt() }
 robotic platform Body { provides Wheels }
@@ -56,7 +56,7 @@ controller Brain { requires Wheels sref b = Backer sref idle = Idle }
 module Leader { rref body = Body cref brain = Brain }
 )";
 
-/// Calls after a number of time units.
+/// An environment that makes a call after a number of time units.
 constexpr const char* sun = R"(package sky
 interface Calls { const delay : nat call() }
 robotic platform Sky { provides Calls }
@@ -146,7 +146,8 @@ std::size_t count(const std::string& text, const std::string& what) {
     return found;
 }
 
-/// Two kinds with the same model show its warnings once. Denied warnings of any model end the run.
+/// If two kinds have the same model, its warnings are shown once. If warnings are denied, a warning of any model ends
+/// the run.
 TEST(KindsOfRobots, WarningsOfEachModelAreShownOnce) {
     const Herd herd(bands);
     const Ran ran = herd.simulated({});
@@ -158,8 +159,8 @@ TEST(KindsOfRobots, WarningsOfEachModelAreShownOnce) {
     EXPECT_THAT(denied.err, HasSubstr("warnings are denied"));
 }
 
-/// Each log records the constants of its controller. It is compared with the model with these constants, unless the
-/// command line sets others.
+/// Each log records the constants of its controller. `conform` compares the log with the model for these constants,
+/// unless the command line sets others.
 TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
     const Herd herd(bands);
     const Ran ran = herd.simulated({"--log", herd / "logs", "--monitor"});
@@ -194,7 +195,7 @@ TEST(KindsOfRobots, LogsHaveTheConstantsOfTheirKind) {
     EXPECT_THAT(changed("const pace=-1"), HasSubstr("error[RC-L04]"));
 }
 
-/// `--const` overrides the log for the same constant. A constant that is given twice is rejected.
+/// `--const` overrides the value in the log. It is an error to give a constant twice.
 TEST(KindsOfRobots, LogsGiveWayToTheCommandLine) {
     const Folder folder({{"leader.rct", leader},
                          {"three.trace", "robochart-trace 1\ncomponent lead::Leader\n" + std::string(4000, '\n') +
@@ -224,7 +225,7 @@ TEST(KindsOfRobots, LogsGiveWayToTheCommandLine) {
     EXPECT_THAT(compared({"--const", "pace=5", "--const", "pace=3"}).err, HasSubstr("--const pace is given twice"));
 }
 
-/// One kind alone: it drives back 1 cm in each time unit, for `pace` time units.
+/// Returns a scenario with a single kind, which drives back 1 cm in each time unit, for `pace` time units.
 std::string alone(const std::string& constant, const std::string& items) {
     return "scenario Alone for lead::Leader {\n\tstep 0.1 s physics 0.01 s unit 0.1 s duration 3 s trials 1 seed 1\n"
            "\tarena 400 cm by 400 cm\n\tlight goal at (-10 cm, 0 cm)\n\trobots 1 leaders { radius 3 cm axle 5 cm "
@@ -236,7 +237,7 @@ std::string alone(const std::string& constant, const std::string& items) {
            items + "\n}\n";
 }
 
-/// In sweeps, searches and certificates, every spelling of a constant overrides the value in the scenario.
+/// Every spelling of a constant overrides the value in the scenario, in sweeps, in searches and in certificates.
 TEST(KindsOfRobots, NoConstantHasTwoNamesOfWhichOneDecides) {
     const std::string accept_claim = "accept probability way <= 0.5 cm at end >= 90 % with confidence 90 %";
     const Folder folder(
@@ -281,7 +282,7 @@ TEST(KindsOfRobots, NoSearchWhereWarningsAreDenied) {
     EXPECT_THAT(ran.err, HasSubstr("warnings are denied"));
 }
 
-/// The robot reaches the goal after ten time units; after three time units it has moved 3 cm.
+/// The robot reaches the goal after ten time units. After three time units it has moved 3 cm.
 TEST(KindsOfRobots, TheirConstantsHaveTheKindsNameInFront) {
     const Herd herd(bands);
     const auto with = [&](const std::string& constant) { return herd.simulated({"--const", constant}); };
@@ -317,8 +318,8 @@ TEST(KindsOfRobots, ASweepVariesThem) {
     EXPECT_THAT(unknown.err, HasSubstr("herd.scenario:"));
 }
 
-/// A certificate contains the files, constants and verdicts of all models, so a different leader needs a different
-/// certificate.
+/// A certificate contains the files, constants and verdicts of all models, so it does not fit a changed model of the
+/// leader.
 TEST(KindsOfRobots, TuningCertifiesAllModels) {
     const Herd herd(claim);
     const std::string scenario = herd / "herd/herd.scenario";
@@ -368,7 +369,7 @@ TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
     EXPECT_THAT(page, HasSubstr("<figcaption>sheep: herd::Runner</figcaption>"));
     EXPECT_THAT(page, HasSubstr("<figcaption>leaders: lead::Idle</figcaption>"));
     EXPECT_THAT(page, HasSubstr("<figcaption>slow: lead::Backer</figcaption>"));
-    // For each state of the first machine of each kind, an element of the diagram of its model.
+    // Each state of the first machine of each kind has an element in the diagram of its model.
     const auto& states = data.at("states")[0];
     EXPECT_EQ(states.at("names"), nlohmann::json::parse(R"(["sheep::Waiting", "sheep::Running", "leaders::Backing",
         "leaders::Standing", "slow::Backing", "slow::Standing"])"));

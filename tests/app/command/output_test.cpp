@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output that cannot be written is an error of the run for every verb, and files are written to the requested place.
-// The shell commands close, fill and break standard output as users' pipelines do.
+// Tests that every verb reports output that it cannot write as an error of the run, and writes files to the requested
+// place. The shell commands close, fill and break standard output as users' pipelines do.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ constexpr const char* machine =
     "e }\n}\n";
 constexpr const char* claim = "assertion A1 : S is deadlock-free\n";
 
-/// A folder with a model and a script.
+/// Returns shell commands that write models, an assertion and a script, and then do `commands`.
 std::string with_files(const std::string& commands) {
     return std::string("cat > m.rct <<'EOF'\n") + machine + "EOF\ncat > m.assertions <<'EOF'\n" + claim +
            "EOF\nprintf 'channel a\\nP = a -> P\\nassert P :[deadlock free [F]]\\n' > s.csp\n" +
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(Output, OfFilesStaysInItsFolder) {
-    // Predictable names of temporary files, and symbolic links in place of a file and of a folder.
+    // An attacker predicts the names of temporary files, and puts symbolic links in place of a file and of a folder.
     const Ran ran = run_shell(with_files(R"(
 mkdir -p out/csp-gen/timed out/cpp away; echo mine > precious
 ln -s "$PWD/precious" out/csp-gen/timed/m.csp
@@ -109,10 +109,10 @@ cp big.rct before; chmod 640 big.rct
 (ulimit -f 2; "$verify" format big.rct; echo "exit $?")
 cmp big.rct before && ls -A | wc -l
 "$verify" format -q big.rct; cmp -s big.rct before || stat -c %a big.rct)");
-    EXPECT_EQ(ran.out, "exit 2\n5\n640\n") << ran.err;  // both files, and the three standard streams
+    EXPECT_EQ(ran.out, "exit 2\n5\n640\n") << ran.err;  // big.rct, before, and the files of the three standard streams
 }
 
-// The deepest path is longer than the system accepts. This fails for root too.
+// The deepest path is longer than the system accepts, so opening it fails even for root.
 TEST(Input, AFolderThatCannotBeReadIsNotPassedOver) {
     for (const char* verb : {"validate m", "check m", "format --check m", "conform --traces m m.rct"}) {
         const Ran ran =

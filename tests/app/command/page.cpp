@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See page.hpp.
 #include "tests/app/command/page.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `prism` as a user runs it: answers, formats, exit codes, bad input.
+// Tests the verb `prism`: answers, formats, exit codes, bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// From 0 to 1 with probability p, otherwise to 2.
+/// A model that goes from 0 to 1 with probability p, otherwise to 2.
 constexpr const char* fork =
     "dtmc const double p; const int n = 2;\n"
     "module M s:[0..n]; [] s=0 -> p:(s'=1) + 1-p:(s'=2); [] s>0 -> true; endmodule\n"
@@ -118,7 +118,7 @@ TEST_F(Prism, ErrorsInAStateNameIt) {
     EXPECT_THAT(json::parse(ran.out)["errors"][0].get<std::string>(), HasSubstr("outside its range"));
 }
 
-/// A property that cannot be evaluated does not hide the answers of the others.
+/// If a property cannot be evaluated, the others are still answered.
 TEST_F(Prism, EachPropertyIsDecidedForItself) {
     const Ran ran = ask({"--const", "p=0.5", "--property", "mod(1,0); P=? [ F s=1 ]", "--format", "json"});
     EXPECT_EQ(ran.exit, 2);
@@ -147,8 +147,8 @@ TEST_F(Prism, PathsAreSampled) {
     };
     const Ran text = with({"--seed", "3"});
     EXPECT_EQ(text.exit, 0) << text.err;
-    // A path stops after one step if it reaches the target. Otherwise it stops when s=2 repeats. The mean is 1 + about
-    // 0.75 steps.
+    // A path stops after one step if it reaches the target. Otherwise it stops when s=2 repeats. The mean length is
+    // about 1.75 steps.
     EXPECT_THAT(text.out, HasSubstr("at 99 % (ci, 1000 paths of 1.8 steps, 1 to 2)"));
     EXPECT_THAT(text.out, HasSubstr("Clopper-Pearson: from 0.2"));
     EXPECT_THAT(text.out, ::testing::Not(HasSubstr("states")));
@@ -219,7 +219,8 @@ TEST_F(Prism, ExperimentsAreTheSameForAnyNumberOfThreads) {
         if (first.empty()) first = ran.out;
         EXPECT_EQ(ran.out, first) << threads;
     }
-    // The first set of values with an invalid model ends the experiment, whichever thread finds it.
+    // The experiment ends with the first set of values whose model is invalid, whichever thread finds an invalid model
+    // first.
     for (const char* const threads : {"1", "4"}) {
         const Ran wrong =
             ask({"--const", "p=0.8:0.1:1.9", "--property", "P=? [ F s=1 ]", "--format", "json", "--threads", threads});

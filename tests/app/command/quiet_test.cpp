@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `-q` prints the requested answer and the errors, but no notes.
+// Tests that `-q` prints the requested answer and the errors, but no notes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// RC-W08: w is never read.
+// The model causes RC-W08, because w is never read.
 const std::string model = R"(stm Half {
 	event go
 	event done

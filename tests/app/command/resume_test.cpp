@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs that are ended during a search by SIGKILL, another signal or a full disk, and then resumed. They must have the
-// answers, figures and counterexamples of an uninterrupted run.
+// Tests runs that SIGKILL, another signal or a full disk ends during a search, and that are then resumed. They must
+// have the answers, figures and counterexamples of an uninterrupted run.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Eight parallel processes with 4^8 states, and one more state after `last`, which all perform together, after 24
-/// steps.
+/// Two parallel compositions of eight processes. The first has 4^8 states. The second also has the state after `last`,
+/// which all processes perform together after 24 steps.
 constexpr const char* script = R"(
 channel a : {0..7}.{0..3}
 channel last
@@ -33,8 +33,9 @@ assert ||| i : {0..7} @ ROUND(i, 0) :[deadlock free [F]]
 assert [| {last} |] i : {0..7} @ ONCE(i, 0) :[deadlock free [F]]
 )";
 
-/// Processes without components: 31^3 states, of which the last leads back; the same without that, after 90 steps; and
-/// sequences of up to 12 elements, which need wider rows than the first states.
+/// Sequential processes, which the checker does not split into components. ROUND has 31^3 states, and its last state
+/// leads back to the first. ONCE is the same without the step back, so it stops after 90 steps. GROW stores sequences
+/// of up to 12 elements, so later states need wider rows than the first ones.
 constexpr const char* sequential = R"(
 channel a : {0..2}
 ROUND(x, y, z) = UP(x, y, z) [] x + y + z == 90 & a.0 -> ROUND(0, 0, 0)
@@ -50,7 +51,7 @@ class Resumed : public ::testing::Test {
 protected:
     explicit Resumed(const char* text = script) : folder_{{{"script.csp", text}}} {}
 
-    /// The command that decides the script. It resumes from a checkpoint in the folder, if there is one.
+    /// Returns the command that decides the script. It resumes from a checkpoint in the folder, if there is one.
     std::vector<std::string> command(const std::vector<std::string>& options) const {
         const bool again = std::filesystem::exists(folder_ / "kept/questions");
         std::vector<std::string> all{"cspm",           folder_ / "script.csp",
@@ -61,7 +62,8 @@ protected:
         return all;
     }
     Ran decide(const std::vector<std::string>& options) const { return run(command(options)); }
-    /// Sends SIGKILL or another signal at a random moment, but not before the first checkpoint if `later`.
+    /// Sends SIGKILL or another signal at a random moment. If `later`, the signal comes only after the first
+    /// checkpoint.
     Ran decide_until(std::chrono::milliseconds moment, bool later, int signal,
                      const std::vector<std::string>& options) const {
         return run_and_signal(command(options), signal, [&](const std::function<bool()>& ended) {
@@ -69,7 +71,7 @@ protected:
             std::this_thread::sleep_for(moment);
         });
     }
-    /// The part of the output that must not depend on interruptions.
+    /// Returns the part of the output that must not depend on interruptions.
     static std::string results(const Ran& ran) {
         const nlohmann::json report = nlohmann::json::parse(ran.out, nullptr, false);
         if (report.is_discarded() || !report.contains("results")) return ran.out + ran.err;
@@ -87,7 +89,7 @@ protected:
         return results(ran);
     }
 
-    /// Whether a run that ends now leaves a checkpoint to which all threads have written their part.
+    /// Returns true if a run that ends now leaves a checkpoint to which all threads have written their part.
     [[nodiscard]] bool has_checkpoint() const {
         std::map<std::string, unsigned> written;  // files by checkpoint number and number of threads
         std::error_code ignored;
@@ -123,7 +125,7 @@ void Resumed::survive_kills() {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
     int ended = 0, gone_on = 0;
-    // A busy machine needs more and longer rounds.
+    // If the machine is busy, the test needs more and longer rounds.
     for (int round = 0; round < 8 || (gone_on == 0 && round < 40); ++round) {
         const std::chrono::milliseconds moment(20 + random() % 80 * (1 + static_cast<unsigned>(round) / 8));
         const bool has_saved = has_checkpoint();
@@ -171,7 +173,8 @@ TEST_F(ResumedSequential, AfterAFullDisk) {
     survive_a_full_disk();
 }
 
-// In each round the process is renamed once more, so states have renamings that it does not have at its start.
+// In each round the process is renamed once more, so later states contain renamings that the initial state does not
+// contain.
 TEST_F(ResumedSequential, PartsThatAppearLaterAreSearchedWithoutCheckpoints) {
     const Folder folder{{{"s.csp", R"(
 channel a, b : {0..3}

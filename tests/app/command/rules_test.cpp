@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `rules` as a user runs it, with and without a model: answers, exit codes, formats, bad input.
+// Tests the verb `rules`, with and without a model: answers, exit codes, formats, bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(Rules, AnswerAsJson) {
     EXPECT_FALSE(wrong["errors"].empty());
 }
 
-/// As in SLEEC-TK, an active rule refuses its trigger, so D misses its deadline.
+/// As in SLEEC-TK, an active rule refuses its trigger. This makes D miss its deadline.
 TEST(Rules, CompareAsSleecTk) {
     const std::string rules =
         "C when Halt and not near then not Stop within 60 seconds\nD when Go then Halt within 3 seconds";
@@ -140,7 +140,7 @@ TEST(RulesOfModels, AreNotPassedInSilence) {
         "obeyed");
 }
 
-/// A program that asks for JSON gets it, even if the model is refused.
+/// The output for programs is JSON even if the model is refused.
 TEST(RulesOfModels, ProgramsLearnOfRefusals) {
     const Folder folder({{"wrong.rct",
                           "stm Bell { event Ring initial i0 state Idle { }\n"
@@ -165,7 +165,7 @@ TEST(RulesOfModels, ProgramsLearnOfRefusals) {
     EXPECT_THAT(unknown.out, HasSubstr("--component Bells"));
 }
 
-/// OpenDoor comes two seconds after Ring, and the model never makes Alarm.
+/// OpenDoor comes two seconds after Ring. The model never makes Alarm.
 TEST(RulesOfModels, WithoutLimit) {
     EXPECT_EQ(obey("R when Ring then OpenDoor").exit, 0);
     const Ran waits = obey("R when Ring then Alarm");
@@ -174,8 +174,8 @@ TEST(RulesOfModels, WithoutLimit) {
     EXPECT_THAT(waits.out, HasSubstr("time can pass for ever without it"));
 }
 
-/// Verdicts of SLEEC-TK (shared/suite/sleec, conformance.tsv), with the instantiations of the published assertions.
-/// "conforms" includes rules that are never triggered.
+/// The verdicts are those of SLEEC-TK (shared/suite/sleec, conformance.tsv), with the instantiations of the published
+/// assertions. "conforms" includes rules that are never triggered.
 TEST(RulesOfModels, AsRecorded) {
     if (tests::shared_folder().empty()) GTEST_SKIP() << "no shared/suite/sleec";
     const auto suite = tests::shared_folder() / "suite/sleec";
@@ -212,23 +212,23 @@ TEST(RulesOfModels, AsRecorded) {
     EXPECT_EQ(almi["Rule4"], "fails");
 }
 
-/// The same duty as a rule and as a claim.
+/// One duty, written as a rule and as a claim.
 struct SameDuty {
     const char* rule;
     const char* claim;
-    const char* verdict;  ///< of the rule; the claim fails if it is "broken", and holds otherwise
+    const char* verdict;  ///< for the rule; if it is "broken", the claim fails, otherwise it holds
 };
 
 struct SameModel {
     const char* folder;
     std::vector<std::string> files;
-    const char* component;  ///< "": the claims have only one
+    const char* component;  ///< "" if the claims have only one
     std::vector<const char*> events;
     std::vector<SameDuty> duties;
 };
 
-/// Verdicts of shared/suite/claims, EXPECTED.md, and of shared/suite/sleec, conformance.tsv; those about values and
-/// states follow from the transitions of the models.
+/// Returns models with the verdicts of shared/suite/claims, EXPECTED.md, and of shared/suite/sleec, conformance.tsv.
+/// Verdicts about values and states follow from the transitions of the models.
 const std::vector<SameModel>& same_models() {
     static const std::vector<SameModel> models{
         {"claims/warehouse",
@@ -448,7 +448,7 @@ TEST(RulesOfSimulations, StopATrialThatBreaksOne) {
     EXPECT_THAT(ran.err, HasSubstr(" ends without it, at "));
 }
 
-/// In each cycle the eye reports one of the two.
+/// In each cycle the eye reports either a wall or a robot, so One is never broken.
 TEST(RulesOfSimulations, WhatIsObeyedIsCounted) {
     const Ran ran =
         guarded("One when seeWall then not seeRobot within 0 seconds\nOther when seeWall then Alarm within 5 seconds");
@@ -457,7 +457,7 @@ TEST(RulesOfSimulations, WhatIsObeyedIsCounted) {
     EXPECT_THAT(ran.out, HasSubstr("not followed: Other: the controller has no event and no operation 'Alarm'\n"));
 }
 
-/// Runs for two seconds without bands. The run succeeds unless a rule is broken or could not be followed.
+/// Runs a scenario for two seconds without bands. The run succeeds unless a rule is broken or could not be followed.
 Ran guarded_briefly(const std::string& rules, const std::string& rule, const std::vector<std::string>& options) {
     std::string measures;
     for (int i = 0; i < 13; ++i) measures += " measure m" + std::to_string(i) + " : boolean";
@@ -482,7 +482,7 @@ Ran guarded_briefly(const std::string& rules, const std::string& rule, const std
 
 const std::string unread = "One when seeWall and m0 then not seeRobot within 0 seconds";
 
-/// As in `conform` for logs, an unchecked rule is no success.
+/// An unchecked rule is no success, as in the comparison of logs by `conform`.
 TEST(RulesOfSimulations, ThatCannotBeFollowedAreNoSuccess) {
     const Ran all = guarded_briefly("One when seeWall then not seeRobot within 0 seconds", "", {"--format", "json"});
     EXPECT_EQ(all.exit, 0) << all.err;
@@ -542,8 +542,8 @@ TEST(RulesAsMonitors, AreWritten) {
     EXPECT_EQ(run({"emit", "monitor", folder / "care.sleec", "--component", "C"}).exit, 4);
 }
 
-/// Ring has no time limit, so OpenDoor may never be requested again. The counterexample is an infinite run of the
-/// model.
+/// Ring has no time limit, so the model may wait forever before it requests OpenDoor. The counterexample is an infinite
+/// run of the model.
 TEST(RulesOfModels, DrawARunThatWaitsWithoutEnd) {
     const Folder folder(
         {{"bell.rct",

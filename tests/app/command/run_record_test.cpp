@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of the run in reports: every report in JSON has it, with all of its keys; the constants, ranges and inputs
-// in it are those of the run.
+// Tests the record of the run. Every report in JSON has it, with all of its keys. The constants, ranges and inputs in
+// it are those of the run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ printf 'robochart-trace 1\ncomponent p::Walker\ncycle 1\nrun one\ntock\n' > one.
 
 struct Row {
     const char* name;
-    const char* command;  ///< its standard output, or the file report.json, contains the objects, one after the other
+    const char* command;  ///< writes the objects, one after the other, to standard output or to the file report.json
     bool to_file = false;
 };
 
@@ -59,7 +59,7 @@ void PrintTo(const Row& row, std::ostream* out) {
     *out << row.name;
 }
 
-/// The keys of an object, in order.
+/// Returns the keys of an object, in order.
 std::vector<std::string> keys(const nlohmann::ordered_json& object) {
     std::vector<std::string> names;
     for (const auto& [name, value] : object.items()) names.push_back(name);
@@ -74,7 +74,7 @@ bool is_whole_or_null(const nlohmann::ordered_json& value) {
     return value.is_null() || value.is_number_unsigned();
 }
 
-/// The schema of `run` in docs/cli.md.
+/// Checks `run` with the schema in docs/cli.md.
 void expect_valid(const nlohmann::ordered_json& run) {
     ASSERT_THAT(keys(run), ElementsAre("program", "command", "inputs", "constants", "ranges", "seed", "limits",
                                        "reduction", "threads", "peakMemoryBytes"));
@@ -114,7 +114,7 @@ void expect_valid(const nlohmann::ordered_json& run) {
     EXPECT_TRUE(is_whole_or_null(run.at("peakMemoryBytes")));
 }
 
-/// All values of a text that contains one JSON value after the other.
+/// Returns all values of a text that contains one JSON value after the other.
 std::vector<nlohmann::ordered_json> values_in(const std::string& text) {
     std::vector<nlohmann::ordered_json> values;
     std::istringstream in(text);
@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"rules_of_a_model", "rules duty.sleec walker --format json"}),
     [](const auto& row) { return std::string(row.param.name); });
 
-/// The report of a scenario of the corpus.
+/// Returns the report of a scenario of the corpus.
 json simulated(const std::string& scenario, const std::vector<std::string>& more) {
     std::vector<std::string> words{"simulate", repository("corpus/aggregation/" + scenario), "--format", "json",
                                    "--no-pictures"};
@@ -207,7 +207,7 @@ json run_of(const std::string& command) {
     return report.is_object() ? report.value("run", json()) : json();
 }
 
-/// "limit 2 model" for each constant, by the last part of its name.
+/// Returns "limit 2 model" for each constant, with the last part of its name.
 std::vector<std::string> constants_of(const json& run) {
     std::vector<std::string> texts;
     for (const auto& constant : run.at("constants")) {

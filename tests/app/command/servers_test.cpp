@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output for continuous integration servers, JUnit's XML and SARIF for assertions and code, and colours, which appear
-// only on terminals.
+// Tests output for continuous integration servers (JUnit's XML and SARIF, for assertions and code), and colours, which
+// appear only on terminals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -28,8 +28,8 @@ struct Element {
     std::string inside;  ///< names of the elements from the root on
 };
 
-/// Parses an XML 1.0 document without comments, processing instructions and similar constructs; reports a test failure
-/// if the document is not well-formed.
+/// Parses an XML 1.0 document without comments, processing instructions and similar constructs. Fails the test if the
+/// document is not well-formed.
 std::vector<Element> elements(const std::string& document) {
     static const std::regex tag("<(/?)([a-z-]+)((?: [a-z]+=\"[^\"<]*\")*)(/?)>"), attribute("([a-z]+)=\"([^\"<]*)\"");
     static const std::regex entity("&(?:amp|lt|gt|quot|#39|#45);");
@@ -90,7 +90,8 @@ TEST(Junit, IsWellFormedWhateverItHolds) {
     }
 }
 
-/// Attributes that all schemas of JUnit's XML have in common, and elements in an order that all of them allow.
+/// Checks the attributes that all schemas of JUnit's XML have in common, and an order of elements that all of them
+/// allow.
 TEST(Junit, HasWhatAllSchemasHave) {
     const auto all = elements(junit_document(
         "s", {{"g", "n", JunitCase::Kind::failed, "m", "t", 0}, {"g", "n", JunitCase::Kind::passed, "", "t", 0}}));
@@ -108,8 +109,8 @@ TEST(Junit, HasWhatAllSchemasHave) {
     }
 }
 
-// A machine that stops, an assertion that holds, an assertion that fails, and an assertion that this tool cannot
-// decide.
+// The folder has four models: a machine that stops, an assertion that holds, an assertion that fails, and an assertion
+// that this tool cannot decide.
 constexpr const char* files = R"(
 echo 'stm S { event e initial i state A { } state B { } transition t0 { from i to A } transition t1 { from A to B trigger e } }' > m.rct
 printf 'untimed assertion Good : S is divergence-free\nuntimed assertion Bad : S is deadlock-free\n' > m.assertions
@@ -242,7 +243,7 @@ TEST(Colours, AreForTerminalsAlone) {
     EXPECT_THAT(run_on("cspm s.csp --format plain --color always").out, Not(HasSubstr("\x1b")));
 }
 
-/// Colours are the only difference.
+/// Without its colours, the output is the same as the plain output.
 TEST(Colours, AreAllThatIsAdded) {
     static const std::regex escape("\x1b\\[[0-9;]*m"), milliseconds("[0-9.]+ m?s");
     const auto plain = [](const std::string& text) {
@@ -270,7 +271,7 @@ TEST(OneFile, FindsItsProject) {
     EXPECT_EQ(run_shell(project + "cd ..; \"$verify\" check --untimed p/m.assertions").exit, 1);
 }
 
-/// Assertions in a subfolder of their models.
+/// The assertions are in a subfolder of the folder with their models.
 TEST(OneFile, FindsTheModelsAboveItsFolder) {
     const std::string project = std::string(files) + "mkdir -p p/claims; mv m.rct p; mv m.assertions p/claims; ";
     for (const char* command : {"check p/claims/m.assertions", "cd p; check claims/m.assertions",

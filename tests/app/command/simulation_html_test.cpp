@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `simulate --html`: the page contains the positions and states of the tables, marks existing elements, and runs no
-// code from the model.
+// Tests `simulate --html`: the page contains the positions and states of the tables, marks existing elements, and runs
+// no code from the model.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -39,7 +39,7 @@ struct Row {
     std::string state;
 };
 
-/// A table of positions by time and robot.
+/// Returns the rows of a table of positions, by time and robot.
 std::map<std::pair<std::string, std::size_t>, Row> rows_of(const std::string& csv) {
     std::map<std::pair<std::string, std::size_t>, Row> rows;
     std::istringstream lines(csv);
@@ -138,7 +138,8 @@ TEST(SimulationHtml, MarksTheStatesAroundTheActiveOne) {
     };
     EXPECT_THAT(goes["elements"][0].get<std::vector<std::string>>(), ElementsAre(id_of("Waiting")));
     EXPECT_THAT(goes["elements"][2].get<std::vector<std::string>>(), ElementsAre(id_of("Fast"), id_of("Going")));
-    // x, y, heading; the first machine is in its only state; the second machine waits, then is in its third state.
+    // The first six letters are x, y and heading. After them, each machine has two letters: the first machine is in its
+    // only state. The second machine waits, and is later in its third state.
     EXPECT_EQ(data["trials"][0]["frames"][2].get<std::string>().substr(6), "AAAA");
     EXPECT_EQ(data["trials"][0]["frames"][10].get<std::string>().substr(6), "AAAC");
 }
@@ -156,7 +157,8 @@ TEST(SimulationHtml, LetsNothingInButItsStylesAndItsScript) {
     }
 }
 
-// A loop without time stops the controller. The message about its place contains the name of the file.
+// A loop without time stops the controller. The message names the place of the loop, which contains the name of the
+// file.
 TEST(SimulationHtml, NothingOfTheModelActsAndStopsAreShown) {
     const std::string evil = "<img src=x onerror=alert(1)>\"'";
     const Folder folder(
@@ -191,7 +193,8 @@ TEST(TrialData, NumbersAreTwoLetters) {
 TEST(TrialData, AFrameHasPlaceHeadingAndStates) {
     const simulation::View view{-100, -50, 4095, 4095};
     const simulation::Frame frame{0, {{{-35, -15}, M_PI / 2}, {{9999, 50}, -M_PI / 2}}, {1, 65, 2, 0}, {}};
-    // 65 from the left; 15 below the middle, 65 below the top; a quarter of 4096 is 16 * 64.
+    // The first robot is 65 from the left. It is 15 below y = 0, and so 65 below the top. A quarter turn is a quarter
+    // of 4096, which is 16 * 64.
     EXPECT_EQ(frame_letters(view, frame, 2, 2),
               "BBBBQAABBB"
               "__AAwAACAA")
@@ -209,7 +212,7 @@ simulation::RunResult run_of(std::size_t trials, std::size_t frames) {
 TEST(TrialData, ShowsWhatFits) {
     simulation::Scenario scenario;
     scenario.robots = 10;
-    // Ten robots of one machine need 80 letters per frame: 100 frames of 4 trials fit into 32,000 letters.
+    // With ten robots of one machine, a frame needs 80 letters, so 100 frames of 4 trials fit into 32,000 letters.
     const ShownTrials all = shown_trials(scenario, run_of(4, 100), 1, 32'000);
     EXPECT_THAT(all.trials, ElementsAre(0, 1, 2, 3));
     EXPECT_EQ(all.every, 1U);
@@ -225,8 +228,8 @@ TEST(TrialData, ShowsWhatFits) {
     EXPECT_EQ(shown_trials(scenario, run_of(1, 10), 1, 20'000).robots, 1000U);
 }
 
-/// Loads the page in a browser without its policy, with a script that acts as a reader. The animation uses a timer, and
-/// the browser's virtual time advances immediately.
+/// Loads the page in a browser without the page's policy, and runs a script that acts as a reader. The animation uses a
+/// timer, and the browser's virtual time advances immediately.
 std::string acted(const std::string& script) {
     return "sed -e 's|<meta http-equiv[^>]*>|<script>requestAnimationFrame = (draw) => setTimeout(() => "
            "draw(performance.now()), 20); cancelAnimationFrame = clearTimeout;</script>|' -e 's|</body>|<script>" +
@@ -241,7 +244,7 @@ std::string simulated() {
            " --trials 2 --html page.html > out.txt; cp out/simulation/Aggregation/trial-02.csv . ; ";
 }
 
-// The page shows the time and the robot that the address selects, with the place and the active state from the table.
+// The address selects a time and a robot. The page shows them, with the robot's place and active state from the table.
 TEST(SimulationHtml, ShowsTheTimeInTheAddress) {
     if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not on PATH";
     const Ran ran = run_shell(simulated() +
@@ -286,7 +289,7 @@ TEST(SimulationHtml, KeysGoFromTimeToTimeAndFromRobotToRobot) {
     EXPECT_THAT(ran.err, Not(HasSubstr("CONSOLE")));
 }
 
-// The animation runs at ten times the speed of the world. A pause leaves the robots at a recorded time.
+// The animation runs at ten times the speed of the world. If it is paused, the robots stop at a recorded time.
 TEST(SimulationHtml, PlaysAndPauses) {
     if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not on PATH";
     const Ran ran = run_shell(simulated() + acted("const play = document.getElementById(\"play\"); play.click();"

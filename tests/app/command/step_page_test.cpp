@@ -32,17 +32,17 @@ public:
 
     [[nodiscard]] std::size_t states() const { return data_["states"].size(); }
     [[nodiscard]] std::size_t offers(std::size_t state) const { return data_["states"][state][1].size() / 2; }
-    /// An offer in the terminal's format: "(hidden) t0: i -> A   m.rct:3".
+    /// Returns an offer in the terminal's format: "(hidden) t0: i -> A   m.rct:3".
     [[nodiscard]] std::string offer(std::size_t state, std::size_t number) const {
         const auto& label = data_["labels"].at(data_["states"][state][1].at(2 * number).get<std::size_t>());
         const std::string place = text(label[1]);
         return (label[2] == 1 ? "(hidden) " : "") + text(label[0]) + (place.empty() ? "" : "   " + place);
     }
-    /// The target state; -1 if it is not embedded.
+    /// Returns the target state, or -1 if the page does not embed it.
     [[nodiscard]] long target(std::size_t state, std::size_t number) const {
         return data_["states"][state][1].at(2 * number + 1).get<long>();
     }
-    /// The offers of a state with their target states: "a>1 b>2".
+    /// Returns the offers of a state with their target states: "a>1 b>2".
     [[nodiscard]] std::string listed(std::size_t state) const {
         std::string line;
         for (std::size_t i = 0; i < offers(state); ++i)
@@ -57,7 +57,7 @@ private:
     nlohmann::json data_;
 };
 
-/// The structure of a state: an operator with its operands in parentheses.
+/// Returns the structure of a state: an operator with its operands in parentheses.
 std::string structure(const nlohmann::json& data, std::size_t part) {
     const auto text = [&](const nlohmann::json& number) {
         return data["texts"].at(number.get<std::size_t>()).get<std::string>();
@@ -72,7 +72,7 @@ std::string structure(const nlohmann::json& data, std::size_t part) {
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// A page of `step` from files in a folder; "@NAME" stands for a file's path.
+/// Runs `step` on files in a folder and returns the page. "@NAME" in the arguments means the path of a file.
 std::string page_of(const Files& files, std::vector<std::string> words) {
     const Folder folder(files);
     for (std::string& word : words)
@@ -93,7 +93,7 @@ TEST(StepPage, EmbedsTheStructure) {
     EXPECT_THAT(page, HasSubstr("<li>P <small>offers {a}</small></li>")) << "without script";
 }
 
-// P is 0, Q is 1, STOP is 2.
+// P is state 0, Q is state 1, STOP is state 2.
 TEST(StepPage, EmbedsTheStatesOfAScript) {
     const Space space(page_of({{"s.csp", "channel a, b\nP = a -> Q [] b -> STOP\nQ = b -> P\n"}}, {"@s.csp", "P"}));
     ASSERT_EQ(space.states(), 3U);
@@ -115,7 +115,7 @@ TEST(StepPage, ReportsWhereItEnds) {
     EXPECT_EQ(space.listed(4999), "a>-1 b>0") << "all offers, but nothing behind the limit";
 }
 
-// Exploration takes longer for each state than for the previous one.
+// Exploration takes longer for each state than for the previous one, so the time ends before the last state.
 TEST(StepPage, KeepsWhatWasExploredWhenTheTimeIsOver) {
     const Folder folder(Files{{"s.csp",
                                "channel a\nf(n) = if n == 0 then 0 else f(n-1)\n"
@@ -136,7 +136,7 @@ TEST(StepPage, KeepsWhatCannotBeEvaluated) {
     EXPECT_EQ(Space(read_contents(folder / "page.html")).listed(0), "a.0>1 a.1>2");
 }
 
-/// The offers in each block of the terminal's output; one block per state.
+/// Returns the offers in each block of the terminal's output. There is one block for each state.
 std::vector<std::vector<std::string>> shown(const std::string& out) {
     std::vector<std::vector<std::string>> result;
     std::istringstream lines(out);
@@ -157,7 +157,8 @@ TEST(StepPage, AWalkOffersWhatTheTerminalOffers) {
         std::vector<std::string> words{repository("corpus/aggregation")};
         words.insert(words.end(), time.begin(), time.end());
         const Space space(page_of({}, words));
-        // With hidden steps the walk starts in the initial state, after two blocks of output.
+        // The commands show hidden steps and return the walk to the initial state, so the first two blocks of output
+        // precede it.
         std::string commands = "internal\nundo 0\n";
         std::vector<std::vector<std::string>> expected;
         std::size_t here = 0;
@@ -293,7 +294,7 @@ TEST_F(StepPageInABrowser, ComesBackAndKeepsTheWayInItsAddress) {
                                  "click #way li:first-child button\n" + address + "open #1x2.2.1\n" + status +
                                  "open #1x2.9.1\n" + status + "open #<img>\n" + status);
     ASSERT_EQ(lines.size(), 11U) << ::testing::PrintToString(lines);
-    const std::string rest = lines[0].substr(0, lines[0].size() - 1);  // of the state before the first choice
+    const std::string rest = lines[0].substr(0, lines[0].size() - 1);  // the rest of the state before the first choice
     EXPECT_EQ(lines[1], rest + ".2\"");
     EXPECT_EQ(lines[2], rest + ".2.1x3\"") << "two time units, and that On is entered, which is hidden";
     EXPECT_EQ(lines[3], rest + ".2.1\"") << "undo takes back the last choice, with the hidden steps behind it";
@@ -306,7 +307,7 @@ TEST_F(StepPageInABrowser, ComesBackAndKeepsTheWayInItsAddress) {
     EXPECT_THAT(lines[10], HasSubstr("followed to step 0 only"));
 }
 
-// Twelve offers: 1 may be the start of a longer number, 3 may not, 12 is complete.
+// There are twelve offers. 1 may be the start of a longer number, 3 may not, and 12 is complete.
 TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
     const auto lines =
         play_page("printf 'channel a : {1..12}\\nP = a?x -> P\\n' > s.csp; \"$verify\" step s.csp P --html page.html",
@@ -317,7 +318,7 @@ TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
                                    "\"there is no offer 15\"", "\"#1.3.12\"", "12"));
 }
 
-// P has become Q; folded parts stay folded.
+// P has become Q, and folded parts stay folded.
 TEST_F(StepPageInABrowser, ShowsTheStructure) {
     const std::string tree =
         "print [Array.from(document.querySelectorAll('#tree li > mark, #tree li > span'), (each) => each.tagName + ' ' "
@@ -335,7 +336,7 @@ TEST_F(StepPageInABrowser, ShowsTheStructure) {
     EXPECT_THAT(lines[4], HasSubstr("false"));
 }
 
-// The steps and the log of docs/step.md, "Saving a session".
+// The steps and the log are those of docs/step.md, "Saving a session".
 TEST_F(StepPageInABrowser, WritesTheWayAsTheLogThatSaveWrites) {
     std::string keys = "key 1\nkey 1\nkey 1\n";
     for (int i = 0; i < 10; ++i) keys += "key t\n";
@@ -379,8 +380,8 @@ TEST_F(StepPageInABrowser, EndsWhereTheEmbeddedStatesEnd) {
                             "1", "201", "\"4799 steps before; show them all\"", "5000", "\"#1x4999.2\""));
 }
 
-// Forty states beside each other in one: several times as wide as the page. Its letters keep more than half of their
-// size, and the figure scrolls, not the page.
+// Forty states beside each other in one composite state are several times as wide as the page. The letters keep more
+// than half of their size, and the figure scrolls instead of the page.
 TEST_F(StepPageInABrowser, AWideMachineStaysReadable) {
     std::string wide =
         "stm Wide {\n event go\n initial i\n state Whole {\n initial j\n transition t { from j to N0 }\n";
@@ -400,7 +401,7 @@ TEST_F(StepPageInABrowser, AWideMachineStaysReadable) {
     EXPECT_THAT(lines, ElementsAre("[true,true,true,true]"));
 }
 
-// A path of 2,000 steps in the address.
+// The address contains a path of 2,000 steps.
 TEST_F(StepPageInABrowser, GoesALongWay) {
     const auto lines = play_page(lamp_page, "open #1x2.3x2000\n" + status + "key u\n" + status);
     ASSERT_EQ(lines.size(), 2U) << ::testing::PrintToString(lines);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `step` as a user runs it, with commands on standard input. tests/counterexample/stepper_test.cpp checks that its
-// offers agree with the semantics; the commands of docs/step.md are also run.
+// Tests `step` with commands on standard input. tests/counterexample/stepper_test.cpp checks that its offers agree with
+// the semantics. Another test runs the commands of docs/step.md.
 #include <gmock/gmock.h>
 
 #include <string>
@@ -83,12 +83,12 @@ TEST(Step, AnAssertionOfAWayHoldsUntilTheModelChanges) {
     EXPECT_EQ(changed.exit, 1) << changed.out << changed.err;
 }
 
-// Longer than the maximal length of a definition.
 TEST(Step, AnOutputThatWaitsIsNoCycleOfALog) {
     const Ran ran = step("1\\n1\\ntock\\nsave way.trace\\n", "S");
     EXPECT_THAT(ran.err, HasSubstr("time passes where output o with true is on offer; in cycles it is done at once"));
 }
 
+// The way is longer than the maximal length of a definition.
 TEST(Step, ALongWayIsAnAssertionToo) {
     const Ran ran = step("random 3000\\nsave way.assertions\\n", "S && \"$verify\" check . --no-cache -q");
     EXPECT_EQ(ran.exit, 0) << ran.err;

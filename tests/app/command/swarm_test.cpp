@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `check --swarm` as a user runs it: the robot of each step, claims by name, undecided claims.
+// Tests `check --swarm`: the robot of each step, claims by name, undecided claims.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST(SwarmCommand, ClaimsHaveNames) {
     EXPECT_THAT(none.err, HasSubstr("did you mean 'possible linked(1)'?"));
 }
 
-/// Two robots of corpus/alpha that drive apart. Each event with a robot's number is a step of that robot, and each step
+/// Two robots of corpus/alpha drive apart. Each event with a robot's number is a step of that robot, and each step
 /// shows the states of both robots.
 TEST(SwarmCommand, StepsSayWhichRobot) {
     const std::vector<std::pair<std::string, std::string>> files{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns of claims: an undecided claim does not delay the others.
+// Tests the turns of claims: an undecided claim does not delay the others.
 #include "driver/claims/turns.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ public:
                     return true;
                 }};
     }
-    /// A claim that is decided only in an unlimited turn.
+    /// Returns a claim that is decided only in an unlimited turn.
     driver::WaitingClaim slow(const std::string& title) {
         return {title, [this, title](const driver::Turn& turn) {
                     order.push_back(title);
@@ -32,7 +32,7 @@ public:
                     return false;
                 }};
     }
-    /// A claim that its own limit, such as --max-states, leaves undecided.
+    /// Returns a claim that its own limit, such as --max-states, leaves undecided.
     driver::WaitingClaim limited(const std::string& title) {
         return {title, [this, title](const driver::Turn&) {
                     order.push_back(title);
@@ -115,7 +115,7 @@ TEST(Turns, ReportNamesTheLimitThatEnded) {
     EXPECT_EQ(ended_turn("the time limit was reached", search), "the time limit was reached");
 }
 
-// If the time of one assertion is over, the advice names the option for assertions, not the one for runs.
+// If an assertion has used up its time, the advice names the option for assertions, not the one for runs.
 TEST(Turns, AdviceNamesTheLimitThatWasMet) {
     const auto advice = [](const std::string& reason, const char* subject = "model") {
         Report report;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One time unit for a project: claims, rules, logs, scenarios, generated nodes and reports (docs/claims.md, "One
-// unit").
+// Tests the common time unit of a project in claims, rules, logs, scenarios, generated nodes and reports
+// (docs/claims.md, "One unit").
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Brakes three time units after each estop.
+/// A robot that brakes three time units after each estop.
 constexpr const char* robot =
     "package p\ninterface Motors { brake() }\ninterface Buttons { event estop }\n"
     "stm Robot { requires Motors uses Buttons clock T initial i\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `version`, and the commit that it names.
+// Tests the verb `version`, and the commit that it prints.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines that are wider than the terminal.
+// Tests the output of lines that are wider than the terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(Width, ColoursAndBytesOfOneCharacterTakeNoColumns) {
     EXPECT_EQ(wrap_lines("\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9", 5), "\xC3\xA9\xC3\xA9\xC3\xA9 \xC3\xA9");
 }
 
-// The width comes from COLUMNS or the terminal; a pipe has no width.
+// The width is COLUMNS or the width of the terminal. A pipe has no width.
 TEST(Width, IsThatOfColumns) {
     constexpr const char* model =
         "echo 'stm M { event a event b initial i state AStateWithARatherLongNameForOne { } state "

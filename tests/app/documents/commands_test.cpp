@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every command in a document is run, or this file lists it with the reason why not. All verbs and options that
+// Runs every command in a document, unless this file lists it with the reason why not. All verbs and options that
 // documents name must exist. The language of a fenced block decides: `console` is run, `sh` is not run, `text` contains
 // no commands.
 #include <gmock/gmock.h>
@@ -27,7 +27,7 @@ using ::testing::IsEmpty;
 // ---------------------------------------------------------------- commands that are not run
 
 struct NotRun {
-    std::string_view document;  ///< "": any document
+    std::string_view document;  ///< "" for any document
     std::string_view command;   ///< prefix of the command
     std::string_view reason;
 };
@@ -60,7 +60,7 @@ constexpr std::array<std::string_view, 22> no_commands = {
 
 // ---------------------------------------------------------------- documents
 
-/// All Markdown documents except the history, templates and documents of third parties.
+/// Returns the paths of all Markdown documents except the history, templates and documents of third parties.
 std::vector<std::string> written_documents() {
     std::vector<std::string> result;
     const fs::path root = repository("");
@@ -83,8 +83,8 @@ std::string first_word(const std::string& text) {
     return word;
 }
 
-/// The commands in a block: the lines after `$ ` if there are any, otherwise all lines. A command may continue on the
-/// next line; comments and indented lines belong to the command above.
+/// Returns the commands in a block: the lines after `$ ` if there are any, otherwise all lines. A command may continue
+/// on the next line. Comments and indented lines belong to the command above.
 std::vector<std::string> commands_of(const Block& block) {
     const bool marked =
         std::ranges::any_of(block.lines, [](const std::string& line) { return line.starts_with("$ "); });
@@ -99,7 +99,7 @@ std::vector<std::string> commands_of(const Block& block) {
     return result;
 }
 
-/// A path of a script of the project.
+/// Returns true if the word is the path of a script of the project.
 bool is_script(const std::string& word) {
     return word == "tests/long.sh" ||
            (!word.ends_with('/') && (word.starts_with("scripts/") || word.starts_with("benchmarks/")));
@@ -120,7 +120,7 @@ const NotRun* exception_for(const std::string& document, const std::string& comm
     return found == not_run.end() ? nullptr : found;
 }
 
-/// The faults of a document; `used` receives the exceptions that the document needs.
+/// Returns the faults of a document. `used` receives the exceptions that the document needs.
 std::vector<std::string> faults_of(const std::string& document, std::set<const NotRun*>& used) {
     std::vector<std::string> faults;
     for (const Block& block : blocks_of(tests::read_contents(repository(document)))) {
@@ -150,7 +150,7 @@ TEST(CommandsInDocuments, AreRunOrExcepted) {
         EXPECT_TRUE(used.contains(&exception)) << "nobody needs it: " << exception.command;
 }
 
-/// These tests would not see commands in other kinds of blocks.
+/// The tests in this file would not find commands in other kinds of blocks.
 TEST(CommandsInDocuments, StandInFencedBlocks) {
     for (const std::string& document : written_documents()) {
         std::istringstream text(tests::read_contents(repository(document)));
@@ -168,7 +168,8 @@ TEST(CommandsInDocuments, StandInFencedBlocks) {
     }
 }
 
-/// Blocks of `console` are run in these documents: README.md and docs/*.md here, docs/rules/*.md by tests/rules.
+/// Only these documents may have `console` blocks: README.md and docs/*.md, which tests in this folder run, and
+/// docs/rules/*.md, which tests/rules runs.
 TEST(CommandsInDocuments, SessionsStandWhereTheyAreRun) {
     for (const std::string& document : written_documents()) {
         const fs::path folder = fs::path(document).parent_path();
@@ -200,7 +201,7 @@ void strip_end(std::string& word) {
         word.resize(word.size() - found->size());
 }
 
-/// The words of a command up to the next command, without the brackets and dots of synopses.
+/// Returns the words of a command up to the next command, without the brackets and dots of synopses.
 Words words_of(std::string text) {
     for (char& c : text)
         if (c == '[' || c == ']' || c == '\'' || c == '"') c = ' ';
@@ -227,7 +228,7 @@ Words alternatives(const std::string& word) {
     return result;
 }
 
-/// "MODEL", "N": a placeholder for the reader's value.
+/// Returns true if a word such as "MODEL" or "N" is a placeholder for the reader's value.
 bool is_placeholder(const std::string& word) {
     return !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
         return std::isupper(c) != 0 || std::isdigit(c) != 0 || c == '_' || c == '.' || c == '=' || c == '|';
@@ -240,7 +241,7 @@ const OptionRow* option_of(Verbs verb, const std::string& name) {
     return nullptr;
 }
 
-/// Explains why the words after an option do not fit; "" if they fit.
+/// Returns an explanation why the words after an option do not fit, or "" if they fit.
 std::string wrong_words(const OptionRow& row, const Words& given) {
     for (std::size_t at = 0; at < given.size(); ++at)
         for (std::string alternative : alternatives(given[at])) {
@@ -252,7 +253,7 @@ std::string wrong_words(const OptionRow& row, const Words& given) {
     return {};
 }
 
-/// The first problem with the options of a verb in the rest of a command.
+/// Returns the first problem with the options of a verb in the rest of a command.
 std::string wrong_options(Verbs verb, const Words& words, std::size_t at) {
     for (; at < words.size(); ++at) {
         if (!words[at].starts_with('-') || words[at] == "-") continue;
@@ -267,7 +268,7 @@ std::string wrong_options(Verbs verb, const Words& words, std::size_t at) {
     return {};
 }
 
-/// The first problem with the words after `robochart-verify`; "" if there is none.
+/// Returns the first problem with the words after `robochart-verify`, or "" if there is none.
 std::string wrong_call(const Words& words) {
     const Words first = first_words();
     const bool verb_given = !words.empty() && std::ranges::find(first, words[0]) != first.end();
@@ -288,8 +289,8 @@ std::string wrong_call(const Words& words) {
     return {};
 }
 
-/// The words after each call of the program in a text. A call is at the beginning of the text or after a character that
-/// starts a command.
+/// Returns the words after each call of the program in a text. A call is at the beginning of the text or after a
+/// character that starts a command.
 std::vector<Words> calls_in(const std::string& text) {
     constexpr std::string_view program = "robochart-verify ";
     std::vector<Words> result;
@@ -304,7 +305,7 @@ std::vector<Words> calls_in(const std::string& text) {
     return result;
 }
 
-/// A verb with its options in the middle of a sentence: `conform --traces`.
+/// Returns true if the text is a verb with its options, as in the middle of a sentence: `conform --traces`.
 bool is_call_of_verb(const std::string& text) {
     const Words words = words_of(text);
     const Words first = first_words();

@@ -23,7 +23,7 @@ std::string joined(const Lines& lines) {
     return text;
 }
 
-/// The file name in the first line of a block; "" if there is none.
+/// Returns the file name in the first line of a block, or "" if there is none.
 std::string file_name(const Block& block) {
     for (const std::string_view mark : file_marks)
         if (!block.lines.empty() && block.lines.front().starts_with(mark))
@@ -49,9 +49,9 @@ ShownSession session(const Block& block) {
     return result;
 }
 
-/// A line in the normalised form that the comparison uses.
+/// Returns a line in the normalised form that the comparison uses.
 std::string plain(const std::string& line) {
-    static const std::regex times("[0-9][0-9,.]* m?s\\b");  // a slower machine prints seconds
+    static const std::regex times("[0-9][0-9,.]* m?s\\b");  // a slower machine may print seconds
     static const std::regex figures("[0-9][0-9,.]* (bytes|states?|transitions?|cycles?)\\b");
     static const std::regex gaps("[ \t]+");
     std::string text = std::regex_replace(line, times, "N s");
@@ -115,7 +115,7 @@ std::vector<Inline> inline_code(const std::string& document) {
         ++number;
         const bool is_fence = line.starts_with(fence);
         if (is_fence) in_block = !in_block;
-        // Rows of tables and items of lists are paragraphs of their own.
+        // Each row of a table and each item of a list is a paragraph.
         const bool alone = line.empty() || line.starts_with('|') || line.starts_with("* ") || line.starts_with('#');
         if (is_fence || in_block || alone) finish();
         if (!is_fence && !in_block) paragraph += (paragraph.empty() ? "" : " ") + line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps that a Markdown document asks a reader to do: files to write, and commands to run with their expected
+// Reads the steps that a Markdown document asks a reader to do: files to write, and commands to run with their expected
 // output. docs/testing.md, "Commands in documents", describes the notation.
 #pragma once
 
@@ -16,7 +16,7 @@ struct Block {
     std::vector<std::string> lines;
 };
 
-/// The fenced blocks of a document, in order.
+/// Returns the fenced blocks of a document, in order.
 [[nodiscard]] std::vector<Block> blocks_of(const std::string& document);
 
 /// Text in backquotes, outside blocks.
@@ -26,7 +26,7 @@ struct Inline {
 };
 [[nodiscard]] std::vector<Inline> inline_code(const std::string& document);
 
-/// A block whose first line is `// file: NAME`, or `-- file: NAME` as CSPM has it.
+/// A block whose first line is `// file: NAME` (in CSPM, `-- file: NAME`).
 struct ShownFile {
     std::string name;
     std::string text;
@@ -38,7 +38,7 @@ struct ShownCommand {
     std::vector<std::string> output;
 };
 
-/// A `console` block; its commands run in one shell.
+/// A `console` block. Its commands run in one shell.
 struct ShownSession {
     std::size_t line;  ///< line of its fence in the document, from 1
     std::vector<ShownCommand> commands;
@@ -46,14 +46,14 @@ struct ShownSession {
 
 using Step = std::variant<ShownFile, ShownSession>;
 
-/// The steps of a document, in order.
+/// Returns the steps of a document, in order.
 [[nodiscard]] std::vector<Step> steps_of(const std::string& document);
 
-/// The lines of a text, without empty lines at its end.
+/// Returns the lines of a text, without empty lines at its end.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
-/// Whether the printed lines agree with the shown ones. A shown line `...` matches any lines. The comparison ignores
-/// the widths of gaps between words, times, sizes, and counts of states, transitions and cycles.
+/// Returns whether the printed lines agree with the shown ones. A shown line `...` matches any lines. The comparison
+/// ignores the widths of gaps between words, times, sizes, and counts of states, transitions and cycles.
 [[nodiscard]] bool lines_agree(const std::vector<std::string>& shown, const std::vector<std::string>& printed);
 
 }  // namespace robochart::app::testing

@@ -25,7 +25,7 @@ void write(const Folder& folder, const ShownFile& file) {
     std::ofstream(folder / file.name, std::ios::binary) << file.text;
 }
 
-/// All commands of a session run in one shell, so `$?` is the exit code of the previous command.
+/// Returns a script that runs all commands of a session in one shell, so `$?` is the exit code of the previous command.
 std::string script(const Folder& folder, const ShownSession& session) {
     std::string text = "cd '" + folder.path() + "'; PATH=\"$PWD/bin:$PATH\"; exec 2>&1\n";
     for (const ShownCommand& command : session.commands)

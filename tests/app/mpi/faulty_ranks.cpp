@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// robochart-verify-mpi with a seeded fault: one rank fails or pauses.
+// Runs robochart-verify-mpi with a seeded fault: one rank fails or pauses.
 //
 //   faulty_ranks NUMBER CALL error|memory|sleep ARGUMENT...    before call CALL of its exchange (from 0), rank NUMBER
 //                                                              throws, or sleeps for three seconds

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random scripts through the whole command, compared with the naive checker: the command reads a file, decides it, and
-// reports as JSON and in a second format. Each script combines several processes, each in its own module, written in
-// several ways.
+// Tests the whole command with random scripts, and compares it with the naive checker. The command reads a file,
+// decides it, and reports as JSON and in a second format. Each script combines several processes. Each process is in
+// its own module and is written in several ways.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using refine::RandomCases;
 
 constexpr std::size_t cases_a_script = 4;
 
-/// A compression may change which tau `chase` follows.
+/// Returns false if a compression may change which tau `chase` follows.
 bool has_one_meaning(const Case& test_case) {
     std::string text = show(test_case.script);
     text.erase(0, text.find("channel"));
@@ -33,8 +33,8 @@ bool has_one_meaning(const Case& test_case) {
     return !used("chase(") || std::ranges::none_of(compressions, used);
 }
 
-/// Several ways to state that a name is a process. They include text that FDR never evaluates, and a name with another
-/// meaning.
+/// Writes the statement that a name is a process in one of several ways. Some contain text that FDR never evaluates, or
+/// a name with another meaning.
 std::string written(std::mt19937_64& numbers, const std::string& name, const std::string& module,
                     const std::string& body) {
     switch (numbers() % 8) {
@@ -56,7 +56,7 @@ std::string written(std::mt19937_64& numbers, const std::string& name, const std
     }
 }
 
-/// The case as a module, or as an instance of a parameterised module.
+/// Returns the process of the case as a module, or as an instance of a parameterised module.
 std::string module_of(std::mt19937_64& numbers, const Case& test_case, const std::string& name) {
     std::string text;
     for (std::size_t i = 0; i < test_case.script.definitions.size(); ++i)
@@ -87,8 +87,8 @@ public:
     void next() {
         refine::naive::Script none;
         script = show(none);
-        // Which tau `chase` follows depends on the order in which events first occur. This question makes that order
-        // alphabetical.
+        // Which tau `chase` follows depends on the order in which events first occur. This assertion mentions them in
+        // alphabetical order first.
         assertions = {{"assert RUN({a, b, c}) [T= STOP", true}};
         for (std::size_t i = 0; i < cases_a_script;) {
             const RandomCases::Explored explored = cases_.next();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of advice: the row that matches a position in a text.
+// Tests tables of advice: which row matches a position in a text.
 #include "base/advice/advice.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace robochart::diagnostics {
 namespace {
 
-/// The advice for a position in a text of words; `NUMBER` stands for digits, and the ends of the text for positions
-/// outside.
+/// Returns the advice for a position in a text of words. `NUMBER` stands for digits, and the ends of the text for
+/// positions outside.
 std::string advice_for(const std::vector<Advice>& rows, const std::string& expected,
                        const std::vector<std::string>& text, std::size_t place) {
     return std::string(advice_on(rows, expected, [&](std::ptrdiff_t ahead) -> AdviceWord {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cache entries are found complete or not at all, only by the program version that stored them, and the folder stays
-// small.
+// Tests that cache entries are found complete or not at all, and only by the program version that stored them. Tests
+// also that the folder stays small.
 #include "base/cache/cache.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The digests of FIPS 180-4's examples, as NIST publishes them.
+// Compares digests with those of FIPS 180-4's examples, as NIST publishes them.
 #include <gtest/gtest.h>
 
 #include "base/cache/sha256.hpp"

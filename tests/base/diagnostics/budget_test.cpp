@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The budget of a run: each limit is detected and reported with the current phase, and resources are released.
+// Tests the budget of a run: each limit is detected and reported with the current phase, and resources are released.
 #include "base/diagnostics/budget.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Escaping is inverted by each language's parser; the expected texts were written by hand from the languages'
+// Tests that each language's parser inverts the escaping. The expected texts were written by hand from the languages'
 // standards.
 #include "base/diagnostics/escape.hpp"
 

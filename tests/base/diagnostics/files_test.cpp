@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files are written completely or not at all, at the requested place and nowhere else.
+// Tests that files are written completely or not at all, at the requested place and nowhere else.
 #include "base/diagnostics/files.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ class Files : public ::testing::Test {
 protected:
     [[nodiscard]] std::string in(const std::string& name) const { return folder_.in(name); }
     void put(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-    /// The number of files in a folder, including hidden ones.
+    /// Returns the number of files in a folder, including hidden ones.
     static std::size_t count(const std::string& path) {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
     }
@@ -60,7 +60,7 @@ TEST_F(Files, DoNotFollowLinksBelowTheirFolder) {
     fs::create_symlink(in("elsewhere"), in("out/sub"));
     EXPECT_THAT(write_below(in("out"), "sub/x", "text"), AllOf(HasSubstr("refusing"), HasSubstr("symbolic link")));
     EXPECT_EQ(count(in("elsewhere")), 0U);
-    // A symbolic link in place of the file is replaced; its target stays unchanged.
+    // A symbolic link in place of the file is replaced, but its target stays unchanged.
     fs::create_symlink(in("precious"), in("out/file"));
     EXPECT_EQ(write_below(in("out"), "file", "text"), "");
     EXPECT_EQ(read_contents(in("precious")), "mine");

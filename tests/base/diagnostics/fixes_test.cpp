@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selection and application of fixes.
+// Tests how fixes are selected and applied.
 #include "base/diagnostics/fixes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of blanks become one blank, and leading and trailing blanks are removed.
+// Tests that runs of blanks become one blank, and that leading and trailing blanks are removed.
 #include "base/diagnostics/text.hpp"
 
 #include <gtest/gtest.h>

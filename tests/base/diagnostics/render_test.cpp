@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Output of diagnostics: exact text, exact JSON.
+// Tests the output of diagnostics, as exact text and exact JSON.
 #include "base/diagnostics/render.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SARIF: the structure that the 2.1.0 schema requires, checked by hand.
+// Tests that SARIF output has the structure that the 2.1.0 schema requires. The expectations were derived from the
+// schema by hand.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,7 +25,7 @@ void expect_keys(const json& object, const std::set<std::string>& allowed, const
     for (const std::string& key : required) EXPECT_TRUE(object.contains(key)) << key;
 }
 
-/// region: lines and columns start at 1, and the end is not before the start (3.30).
+/// Checks a region: lines and columns start at 1, and the end is not before the start (3.30).
 void expect_region(const json& region) {
     expect_keys(region, {"startLine", "startColumn", "endLine", "endColumn"}, {"startLine"});
     EXPECT_GE(region.at("startLine").get<int>(), 1);
@@ -90,7 +91,7 @@ json expect_sarif(const std::string& text) {
     return run;
 }
 
-/// Rules as in the verb `validate`, with titles that differ from messages.
+/// Returns rules with titles that differ from their messages, as in the verb `validate`.
 SarifRules about(const std::string& limit = "") {
     return {"1.2", "validate/m.rct",
             [](const Rule& rule) { return rule.code == "R1" ? "a name is wrong" : "something is odd"; },

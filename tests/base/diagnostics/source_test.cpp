@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions in source texts.
+// Tests positions in source texts.
 #include "base/diagnostics/source.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(SourceManager, CountsLinesFromOneAndColumnsInCodePoints) {
     EXPECT_EQ(sources.path_and_line({}), "");
 }
 
-/// The mark belongs to the file: positions are counted as if it were absent.
+/// The byte order mark belongs to the file, but positions are counted as if it were absent.
 TEST(SourceManager, LeavesOutAByteOrderMark) {
     SourceManager sources;
     const SourceId id = sources.add("a.rct",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The known word that a misspelt word means, or none if no known word is similar enough.
+// Tests which known word a misspelt word means. It means none if no known word is similar enough.
 #include "base/diagnostics/spelling.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time units, and durations as numbers of them.
+// Tests time units, and durations as numbers of units.
 #include <gtest/gtest.h>
 
 #include "base/durations/time_unit.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tail probabilities compared with exact fractions, bounds compared with their definition and closed forms, and
-// coverage summed over every outcome.
+// Compares tail probabilities with exact fractions, and bounds with their definition and closed forms. Sums the
+// coverage over every outcome.
 #include "base/statistics/binomial.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Fraction = boost::multiprecision::cpp_rational;
 
-/// P(X = k) for the probability part/whole.
+/// Returns P(X = k) for the probability part/whole.
 Fraction exact(std::uint64_t k, std::uint64_t n, int part, int whole) {
     Fraction value = 1;
     for (std::uint64_t i = 0; i < k; ++i) value *= Fraction(n - i, i + 1) * Fraction(part, whole);
@@ -52,7 +52,7 @@ TEST(Binomial, Ends) {
     EXPECT_EQ(clopper_pearson(0, 0, 0.05), (Interval{0, 1}));
 }
 
-/// Without a failure L^n = error; without a success (1 - U)^n = error.
+/// Without a failure, L^n = error. Without a success, (1 - U)^n = error.
 TEST(ClopperPearson, AllOrNone) {
     for (const std::uint64_t n : {1U, 59U, 299U, 2995U}) {
         const double root = std::pow(0.025, 1 / static_cast<double>(n));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts by hand, intervals compared with Clopper and Pearson's, and coverage.
+// Compares counts with values by hand, and intervals with Clopper and Pearson's. Checks the coverage.
 #include "base/statistics/chains.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(TransitionCounts, TakesAllVisits) {
     EXPECT_EQ(counts.count_at_last_look(0), 0U) << "the first look is after sixteen";
 }
 
-/// Looks are after sixteen visits, then after twenty-four: each has half as many more.
+/// The first look is after sixteen visits, the second after twenty-four. Each look needs half as many visits again.
 TEST(TransitionCounts, LooksAtFixedNumbers) {
     TransitionCounts counts(2);
     for (int i = 0; i < 20; ++i) counts.add({0, i < 16 ? 0U : 1U});
@@ -62,7 +62,7 @@ TEST(TransitionIntervals, WhatTheModelForbidsIsExcluded) {
 }
 
 TEST(Validation, CanFail) {
-    // 40 of 100 successes at an error of 0.01: between 0.276 and 0.534.
+    // With 40 of 100 successes and an error of 0.01, the interval is from 0.276 to 0.534.
     EXPECT_TRUE(contradicts_prediction(40, 100, 0.01, {0.6, 1}));
     EXPECT_TRUE(contradicts_prediction(40, 100, 0.01, {0, 0.2}));
     EXPECT_FALSE(contradicts_prediction(40, 100, 0.01, {0.5, 0.6}));
@@ -71,8 +71,8 @@ TEST(Validation, CanFail) {
 
 // ---------------------------------------------------------------- the order of a chain
 
-/// Sequences in which the state is kept with one probability after an equal predecessor, and with another after a
-/// different one.
+/// Returns random sequences in which the state stays the same with one probability after an equal predecessor, and with
+/// another after a different one.
 StateSequence remembering(double after_equal, double after_other, std::mt19937_64& random) {
     std::uniform_real_distribution<double> draw(0, 1);
     StateSequence sequence{0, 0};
@@ -84,8 +84,9 @@ StateSequence remembering(double after_equal, double after_other, std::mt19937_6
     return sequence;
 }
 
-/// The error is divided among the permitted triples, and look k uses 1 / (k (k + 1)) of each part. Only state 2 has two
-/// successors, and two states may precede it: four triples. If everything is permitted there are 27.
+/// The error is divided among the permitted triples of states, and look k uses 1 / (k (k + 1)) of each part. Only state
+/// 2 has two successors, and two states may precede it, so there are four triples. If everything is permitted there are
+/// 27.
 TEST(Order, DividesTheErrorAmongWhatIsPermitted) {
     const Permitted holes{{false, false, true}, {false, false, true}, {true, true, false}};
     EXPECT_EQ(order_triples(holes), 4);
@@ -110,7 +111,7 @@ TEST(Order, DividesTheErrorAmongWhatIsPermitted) {
     expect(found(16, all_permitted(3)), 16, 0.1 / (27 * 1 * 2));
 }
 
-/// The limits of a run apply, and the memory does not grow with the cube of the number of states if few states occur.
+/// The limits of a run apply. If few states occur, the memory does not grow with the cube of the number of states.
 TEST(Order, Polls) {
     std::vector<StateSequence> all(200, {0, 2, 0});
     all.insert(all.end(), 200, {1, 2, 1});
@@ -125,7 +126,7 @@ TEST(Order, Polls) {
     EXPECT_THROW((void)order_contradiction(all, all_permitted(3), 0.1, budget), std::runtime_error);
 }
 
-/// In 200 repetitions, at most a tenth of the chains of order 1 are contradicted, and all chains of order 2 are.
+/// In 200 repetitions, the test contradicts at most a tenth of the chains of order 1, and all chains of order 2.
 TEST(Order, IsContradictedWhereTheStateBeforeMatters) {
     std::mt19937_64 random(7);
     int wrong = 0;
@@ -138,7 +139,7 @@ TEST(Order, IsContradictedWhereTheStateBeforeMatters) {
         ASSERT_TRUE(found);
         EXPECT_LT(found->after_less.high, found->after_more.low);
         EXPECT_NE(found->less, found->more);
-        // The state is kept more often after an equal predecessor than after a different one.
+        // The state stays the same more often after an equal predecessor than after a different one.
         EXPECT_EQ(found->more == found->state, found->next == found->state);
     }
     EXPECT_LE(wrong, 20);

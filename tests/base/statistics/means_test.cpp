@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantiles compared with tables, and Hoeffding's bound checked by sums over every outcome.
+// Compares quantiles with tables, and checks Hoeffding's bound by sums over every outcome.
 #include "base/statistics/means.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact probabilities of sequential procedures: the distribution of the number of successes among undecided runs is
-// carried from trial to trial, and decided runs leave it.
+// Computes exact probabilities of sequential procedures. From trial to trial, the tests carry the distribution of the
+// number of successes among undecided runs; decided runs leave this distribution.
 #include "base/statistics/sequential.hpp"
 
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@
 namespace robochart::statistics {
 namespace {
 
-/// The outcome of a procedure of at most `most` trials if each trial succeeds with probability p. `stops` returns
-/// whether the procedure ends after this many trials with this many successes, and in which of the first two entries to
-/// count it.
+/// The outcome of a procedure of at most `most` trials if each trial succeeds with probability p. `stops` decides
+/// whether the procedure ends after this many trials with this many successes. It returns the entry of `counted` to
+/// which the outcome belongs.
 struct Outcome {
     double counted[2] = {0, 0};
     double mean_trials = 0;
@@ -56,8 +56,8 @@ TEST(Sprt, ErrsAtMostAsOftenAsItSays) {
     for (const Sprt& test : {Sprt{0.95, 0.90, 0.01, 0.01}, Sprt{0.5, 0.4, 0.05, 0.01}, Sprt{0.1, 0.02, 0.01, 0.1}}) {
         for (const double p : {test.p0, (1 + test.p0) / 2, 0.999}) EXPECT_LE(run(test, 3000, p).counted[1], test.alpha);
         for (const double p : {test.p1, test.p1 / 2, 0.001}) EXPECT_LE(run(test, 3000, p).counted[0], test.beta);
-        // The error that is used is close to the permitted one: a test that never answers would pass the assertions
-        // above.
+        // The test uses at least a third of the permitted error. A test that never answers would pass the assertions
+        // above, but not these.
         EXPECT_GE(run(test, 3000, test.p0).counted[1], test.alpha / 3);
         EXPECT_GE(run(test, 3000, test.p1).counted[0], test.beta / 3);
         EXPECT_GE(run(test, 3000, test.p0).counted[0], 1 - test.alpha - 1e-3);
@@ -65,7 +65,7 @@ TEST(Sprt, ErrsAtMostAsOftenAsItSays) {
 }
 
 /// Wald's approximation of the mean number of trials, which ignores the overshoot. At p0 and p1 it is (P(at_least)
-/// ln(beta) + P(below) ln(1/alpha)) divided by the mean step of the log-likelihood ratio; at 1 it is rounded to whole
+/// ln(beta) + P(below) ln(1/alpha)) divided by the mean step of the log-likelihood ratio. At 1 it is rounded to whole
 /// steps.
 TEST(Sprt, IsAsLongAsWaldSays) {
     const Sprt test{0.95, 0.90, 0.01, 0.01};
@@ -83,8 +83,8 @@ TEST(Looks, AreAtTheirTimes) {
         times.push_back(*next);
     EXPECT_EQ(times, (std::vector<std::uint64_t>{16, 24, 36, 54, 81, 100}));
     EXPECT_EQ(looks.interval_after(5, 17), std::nullopt);
-    // The first look uses half of the error, the second a sixth; the last look uses the remainder, which is 1/6 for six
-    // looks.
+    // The first look uses half of the error, and the second a sixth. The last look uses the remainder, which is 1/6 for
+    // six looks.
     EXPECT_EQ(looks.interval_after(9, 16), clopper_pearson(9, 16, 0.05 / 2));
     EXPECT_EQ(looks.interval_after(9, 24), clopper_pearson(9, 24, 0.05 / 6));
     EXPECT_EQ(looks.interval_after(90, 100), clopper_pearson(90, 100, 0.05 / 6));
@@ -93,7 +93,7 @@ TEST(Looks, AreAtTheirTimes) {
     EXPECT_EQ(Looks(1, 0.05).trials_of_next_look(1), std::nullopt);
 }
 
-/// The probability that the interval of some look misses the true value.
+/// The probability that at least one look has an interval that misses the true value.
 TEST(Looks, TogetherMissAtMostAsOftenAsTheySay) {
     for (const std::uint64_t most : {10U, 100U, 1000U}) {
         const Looks looks(most, 0.05);
@@ -105,7 +105,7 @@ TEST(Looks, TogetherMissAtMostAsOftenAsTheySay) {
             EXPECT_LE(missed, 0.05) << most << " trials, p = " << p;
         }
     }
-    // The test is not vacuous: near one half about a tenth of the error is used, because looks are discrete and
+    // The test above is not vacuous. Near one half, about a tenth of the error is used, because looks are discrete and
     // dependent.
     const Looks looks(1000, 0.05);
     const double missed = run(1000, 0.5, [&](std::uint64_t x, std::uint64_t n) {

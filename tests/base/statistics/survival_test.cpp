@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kaplan-Meier estimates by hand: shares are products of (1 - d/n), variances sums of d/(n (n - d)).
+// Compares Kaplan-Meier estimates with values by hand. Shares are products of 1 - d/n. Variances are sums of d/(n (n -
+// d)).
 #include "base/statistics/survival.hpp"
 
 #include <gtest/gtest.h>
@@ -18,13 +19,15 @@ TEST(Survival, WithoutCensoringItIsTheShareLeft) {
     EXPECT_EQ(median_time(steps), 2);
 }
 
-/// Six trials: one event at 1, one trial censored at 2, two events at 3, one trial censored at 3, one trial remains.
+/// Six trials: one has its event at 1, one is censored at 2, two have their event at 3, one is censored at 3, and one
+/// remains.
 TEST(Survival, WhoIsLostLeavesThoseThatAreAskedLater) {
     const auto steps = survival_curve({{1, true}, {2, false}, {3, true}, {3, true}, {3, false}, {9, false}}, 0.05);
     ASSERT_EQ(steps.size(), 2U);
     EXPECT_DOUBLE_EQ(steps[0].share, 5 / 6.0);
     EXPECT_DOUBLE_EQ(steps[1].share, 5 / 6.0 * (1 - 2 / 4.0));
-    // log(-log S) plus and minus 1.96 of its standard deviations, sqrt(1/(6 5) + 2/(4 2)) / |log S|.
+    // The interval is log(-log S) plus and minus 1.96 of its standard deviations, which are sqrt(1/(6 5) + 2/(4 2)) /
+    // |log S|.
     const double share = steps[1].share;
     const double deviation = std::sqrt(1 / 30.0 + 2 / 8.0) / std::abs(std::log(share));
     const double middle = std::log(-std::log(share));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fisher's test compared with tables computed by hand, and its error summed over every outcome; Holm's adjustment by
-// hand.
+// Compares Fisher's test with tables computed by hand, and its error with sums over every outcome. Compares Holm's
+// adjustment with values by hand.
 #include "base/statistics/two_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,9 @@
 namespace robochart::statistics {
 namespace {
 
-/// Of 8 cups of tea, 4 had the milk first. By chance all 4 are identified once in (8 choose 4) = 70 selections, and
-/// none equally often; 3 of 4 in 16 of 70 (Fisher, The Design of Experiments, 1935, chapter II).
+/// Of 8 cups of tea, 4 had the milk first. By chance, a taster identifies all 4 in one of (8 choose 4) = 70 selections,
+/// and none of them in one. The taster identifies 3 of 4 in 16 of 70 selections (Fisher, The Design of Experiments,
+/// 1935, chapter II).
 TEST(FisherExact, TheLadyTastingTea) {
     EXPECT_NEAR(fisher_exact({4, 4}, {0, 4}), 2.0 / 70, 1e-12);
     EXPECT_NEAR(fisher_exact({3, 4}, {1, 4}), 34.0 / 70, 1e-12);
@@ -22,7 +23,7 @@ TEST(FisherExact, Ends) {
     EXPECT_NEAR(fisher_exact({0, 100}, {0, 200}), 1, 1e-12);
     EXPECT_NEAR(fisher_exact({100, 100}, {7, 7}), 1, 1e-12);
     EXPECT_NEAR(fisher_exact({0, 0}, {3, 9}), 1, 1e-12) << "no trials say nothing";
-    // Ten of ten successes compared with none of ten: two of (20 choose 10) divisions are as extreme.
+    // Ten of ten successes are compared with none of ten. Two of the (20 choose 10) divisions are as extreme.
     EXPECT_NEAR(fisher_exact({10, 10}, {0, 10}), 2.0 / 184'756, 1e-15);
 }
 
@@ -47,7 +48,7 @@ TEST(FisherExact, ErrsAtMostAsOftenAsItSays) {
 }
 
 TEST(Holm, AdjustsByHand) {
-    // In ascending order, the values are .01 * 4, .02 * 3, .03 * 2 and .04; no adjusted value may be below the previous
+    // In ascending order, the values are .01 * 4, .02 * 3, .03 * 2 and .04. No adjusted value may be below the previous
     // one.
     const std::vector<double> adjusted = holm_correction({0.03, 0.01, 0.04, 0.02});
     const std::vector<double> expected{0.06, 0.04, 0.06, 0.06};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel work on threads: each number is processed once, and the exception of the lowest number is rethrown; also
-// threads that throw, and threads that cannot be started.
+// Tests parallel work on threads: each number is processed once, and the exception of the lowest number is rethrown.
+// Tests also threads that throw, and threads that cannot be started.
 #include "base/threads/threads.hpp"
 
 #include <gtest/gtest.h>
@@ -118,7 +118,8 @@ TEST(Watched, TheWatcherLooksOnceAtTheEnd) {
     EXPECT_GE(looks, 1);
 }
 
-/// The exit code of a program without memory for the stacks of many threads: 3 if it reports a limit.
+/// Runs `work` in a program without memory for the stacks of many threads. Returns its exit code, which is 3 if it
+/// reports a limit.
 int end_without_stacks(const std::function<void()>& work) {
     const pid_t child = fork();
     if (child == 0) {

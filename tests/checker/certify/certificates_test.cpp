@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests certificates: their files, and the answers of robochart-certify. The naive checker decides random scripts.
-// Certificates are made for claims that hold and, as a faulty checker would, for claims that fail: the certifier must
-// accept the former and refuse the latter.
+// Tests certificates: their files, and the answers of robochart-certify. The naive checker decides random scripts. The
+// test makes certificates for claims that hold, and also for claims that fail, as a faulty checker would. The certifier
+// must accept the former and refuse the latter.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -30,7 +30,7 @@ namespace {
 using cspm::test::Reading;
 using refine::RandomCases;
 
-/// The paths of programs, or "" if they are not there.
+/// The paths of programs, or "" if a program is not installed.
 const std::string certifier = ROBOCHART_CERTIFY;
 const std::string coq = ROBOCHART_COQC;
 const char* const no_certifier = "robochart-certify is not built, because there is no ocamlopt";
@@ -40,7 +40,7 @@ struct Ran {
     std::string out;
 };
 
-/// Runs a command of the shell.
+/// Runs a shell command.
 Ran run(const std::string& command) {
     Ran result;
     FILE* const pipe = popen(command.c_str(), "r");
@@ -56,7 +56,7 @@ Ran certify(const std::string& folder, const std::string& options = "") {
     return run(fmt::format("'{}' {} '{}' 2>&1", certifier, options, folder));
 }
 
-/// The answers of the certifier by folder.
+/// Returns the answers of the certifier by folder.
 std::map<std::string, bool> answers_in(const std::string& output) {
     std::map<std::string, bool> result;
     std::istringstream lines(output);
@@ -198,7 +198,7 @@ TEST(Certificates, AreNotCompleteWithoutTheirClaim) {
     EXPECT_NE(ran.out.find("0 certified, 1 refused"), std::string::npos) << ran.out;
 }
 
-/// On a full disk, the error says so, and what is there is no certificate.
+/// On a full disk, the error says so, and the incomplete folder is not accepted as a certificate.
 TEST(Certificates, AreCompleteOrRefusedOnASmallDisk) {
     if (certifier.empty()) GTEST_SKIP() << no_certifier;
     Opened script(two_cells);
@@ -221,7 +221,7 @@ TEST(Certificates, AreCompleteOrRefusedOnASmallDisk) {
     EXPECT_LT(failures, 8);
 }
 
-/// Whenever the program is killed, the certifier accepts exactly the folders that have a claim.
+/// At whatever time the program is killed, the certifier accepts exactly the folders that have a claim.
 TEST(Certificates, AreCompleteOrRefusedIfTheProgramIsKilled) {
     if (certifier.empty()) GTEST_SKIP() << no_certifier;
     Opened script(two_cells);
@@ -262,7 +262,7 @@ TEST(Certificates, OfWideStatesAreChecked) {
     EXPECT_EQ(answers_in(ran.out), (std::map<std::string, bool>{{"0", true}, {"1", false}, {"2", true}})) << ran.out;
 }
 
-/// The theorem's file needs Coq alone.
+/// The file with the theorem needs only Coq, no other files.
 TEST(Certificates, BecomeTheoremsOfCoq) {
     if (certifier.empty()) GTEST_SKIP() << no_certifier;
     if (coq.empty()) GTEST_SKIP() << "there is no coqc";  // it is large, so scripts/setup.sh does not install it

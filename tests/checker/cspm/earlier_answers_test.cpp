@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cached answers of an earlier session are used for the same processes only.
+// Tests that cached answers of an earlier session are used for the same processes only.
 #include "checker/cspm/earlier_answers.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ assert Two :[deterministic [FD]]
 class EarlierAnswersTest : public ::testing::Test {
 protected:
     struct Answers {
-        std::string outcomes;  ///< h, f
-        std::string known;     ///< y, n
+        std::string outcomes;  ///< h holds, f fails
+        std::string known;     ///< y if the answer was in the cache, otherwise n
         std::vector<std::string> runs;
         std::vector<std::uint64_t> states;
     };
@@ -76,8 +76,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST_F(EarlierAnswersTest, TheSameQuestionsAreKnown) {
     const Answers without = check(script, false);
-    // Two without mid contains at most two values, in order. The separate cells can perform mid.0 first. Two never
-    // deadlocks; with all events hidden it diverges; and each event leads to one state.
+    // With mid hidden, Two is a buffer of at most two values, in order. The separate cells can perform mid.0 first,
+    // which Two cannot. Two never deadlocks. With all events hidden it diverges. Each event leads to one state.
     EXPECT_EQ(without.outcomes, "hfhfh");
     const Answers first = check(script);
     EXPECT_EQ(first.known, "nnnnn");
@@ -96,7 +96,7 @@ TEST_F(EarlierAnswersTest, EditsThatChangeNoProcessChangeNoQuestion) {
 
 TEST_F(EarlierAnswersTest, WhatAnEditChangesIsAskedAgain) {
     (void)check(script);
-    // A buffer for one value does not admit two values; only the first assertion depends on the buffer.
+    // A buffer for one value does not admit two values. Only the first assertion depends on the buffer.
     const Answers smaller = check(replaced(script, "#s < 3", "#s < 1"));
     EXPECT_EQ(smaller.outcomes, "ffhfh");
     EXPECT_EQ(smaller.known, "nyyyy");
@@ -117,7 +117,7 @@ TEST_F(EarlierAnswersTest, TheModelIsPartOfAQuestion) {
     (void)check(script);
     const Answers failures = check(replaced(script, "Buffer(<>) [T=", "Buffer(<>) [F="));
     EXPECT_EQ(failures.known, "nyyyy");
-    // After one value the buffer must accept another; so must two cells.
+    // After one value the buffer must accept another, and so must the two cells.
     EXPECT_EQ(failures.outcomes, "ffhfh") << "the specification offers a third value while Two holds two";
 }
 

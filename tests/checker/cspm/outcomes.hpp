@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions that evaluate small scripts: outcomes of assertions, values, errors.
+// Evaluates small scripts, and returns outcomes of assertions, values or errors.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ inline std::vector<refine::Outcome> outcomes(const std::string& text) {
     return result;
 }
 
-// Marks: h holds, f fails.
+// Checks the outcomes of the assertions: in `marks`, h means holds and f means fails.
 inline void expect_outcomes(const std::string& text, const std::string& marks) {
     std::string found;
     for (const refine::Outcome outcome : outcomes(text)) found += outcome_letter(outcome);
@@ -50,7 +50,7 @@ inline Failure failure_of(const std::string& text, const std::string& name) {
     }
 }
 
-/// The error from exploring the process X.
+/// Returns the error that occurs when the process X is explored.
 inline std::string process_failure(const std::string& text) {
     const Reading reading(text + "assert X :[deadlock free]\n");
     EXPECT_TRUE(reading.ok()) << reading.report();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole scripts compared with the naive reference. Random processes are printed as CSPM, then parsed, type checked,
-// evaluated, compiled and compressed as a user's script is, and their assertions are decided one by one.
+// Compares whole scripts with the naive reference. Random processes are printed as CSPM, then parsed, type checked,
+// evaluated, compiled and compressed like a user's script. Then their assertions are decided one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using refine::Graphs;
 using refine::Outcome;
 using refine::RandomCases;
 
-/// A compression may change which tau `chase` follows.
+/// Returns false if a compression may change which tau `chase` follows.
 bool has_one_meaning(const Case& test_case) {
     std::string text = show(test_case.script);
     text.erase(0, text.find("channel"));  // skip the declarations, which the script may not use
@@ -29,7 +29,7 @@ bool has_one_meaning(const Case& test_case) {
     return !used("chase(") || std::ranges::none_of(compressions, used);
 }
 
-/// The way in which a script is decided. Processes that stay terms are packed from the start, or never.
+/// How a script is decided. Processes that remain terms are either packed from the start, or never.
 struct Way {
     const char* name;
     bool reduction;
@@ -40,7 +40,7 @@ const Way ways[] = {{"", false, {1U << 30U, std::nullopt, false}},
                     {", packed", false, {0, 1, false}},
                     {", packed by terms alone", false, {0, std::nullopt, true}}};
 
-/// The first wrong answer of the script, if any.
+/// Returns the first wrong answer of the script, if any.
 std::optional<std::string> fault(const Case& test_case, const Graphs& graphs, int& checks) {
     Reading reading(refine::script_with_assertions(test_case));
     if (reading.ok()) (void)check_types(reading.script, reading.diagnostics);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides the assertions of whole scripts by ranks, by programs with two ranks each, and on disk. Answers, lengths of
-// counterexamples and (if the assertion holds) figures must be those of the ordinary search. The counterexample must be
-// the same for every number and distribution of ranks, in memory and on disk. ROBOCHART_RANKED_SCRIPTS names a folder
-// whose scripts, including those in subfolders, are compared too.
+// Decides the assertions of whole scripts by ranks, by programs with two ranks each, and on disk. Answers and lengths
+// of counterexamples must be those of the ordinary search, and so must the figures if the assertion holds. The
+// counterexample must be the same for every number and distribution of ranks, in memory and on disk.
+// ROBOCHART_RANKED_SCRIPTS names a folder whose scripts, including those in subfolders, are compared too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,8 @@ using refine::complete_text;
 using refine::Outcome;
 using refine::Verdict;
 
-/// Compares figures only if all states are visited. A negated assertion may hold because of a counterexample.
+/// Returns the text that all searches must share. It contains the figures only if all states are visited. A negated
+/// assertion may hold because of a counterexample.
 std::string in_common(const Verdict& verdict) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     if (verdict.outcome == Outcome::holds && !verdict.counterexample)
@@ -36,7 +37,7 @@ std::string in_common(const Verdict& verdict) {
            std::to_string(verdict.counterexample->steps.size());
 }
 
-/// The answer, or the evaluation error.
+/// Returns the answer, or the evaluation error.
 std::string answer(Session& session, const Decl& assertion, const refine::Limits& limits,
                    std::string (*shown)(const Verdict&)) {
     try {

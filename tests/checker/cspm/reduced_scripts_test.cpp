@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes of whole scripts are equivalent to their reduced forms under branching bisimilarity with explicit
-// divergence (docs/search.md, "Confluent taus"). ROBOCHART_REDUCED_SCRIPTS names a folder whose scripts are compared
-// too: benchmarks/decide_components.py --keep FOLDER writes those of a suite.
+// Tests that processes of whole scripts are equivalent to their reduced forms under branching bisimilarity with
+// explicit divergence (docs/search.md, "Confluent taus"). ROBOCHART_REDUCED_SCRIPTS names a folder whose scripts are
+// compared too. benchmarks/decide_components.py --keep FOLDER writes the scripts of a suite.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ struct Compared {
     std::size_t processes = 0, smaller = 0, too_large = 0, states = 0, reduced_states = 0;
 };
 
-/// Compares the process of each assertion; for a refinement, the specification.
+/// Compares the process of each assertion with its reduced form. For a refinement, compares the specification.
 void compare(Session& session, Compared& compared) {
     std::string last;
     for (const DeclPtr& assertion : session.assertions()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Third-party scripts with known verdicts, read from the folder of shared scripts if it is present. Each verdict was
-// derived from the system that the script describes; comments give the less obvious arguments.
+// Decides third-party scripts with known verdicts, which are in the folder of shared scripts if it is present. Each
+// verdict was derived from the system that the script describes. Comments give the less obvious arguments.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,30 +19,34 @@ struct RightScript {
 };
 
 constexpr std::array right_scripts{
-    // At most one mathematician eats. The even one reads the odd number indefinitely, so the hidden system diverges.
+    // At most one mathematician eats. The one who eats at even numbers reads the odd number indefinitely, so the hidden
+    // system diverges.
     RightScript{"csp_mathematicians.csp", "hhh"},
     // Four philosophers at a table can take one fork each, but not if there are three seats. With all events hidden
     // they eat forever.
     RightScript{"csp_philosophers_spy.csp", "hhhhf"},
-    // Each assertion is stated so that it should hold; remainders are never negative, quotients are rounded down.
+    // The author wrote each assertion so that it should hold. Remainders are never negative, and quotients are rounded
+    // down.
     RightScript{"csp_questions.csp", "hhhhhhhhhhhhhhhhh"},
-    // The confirmation's specification offers both indications at once, which the protocol does not. Messages may be
+    // The specification of the confirmation offers both indications at once, but the protocol does not. Messages may be
     // lost, so the protocol is not deterministic, and it confirms more than C_OK.
     RightScript{"models/brp.csp", "hhhfff"},
-    // With `leave` renamed no process leaves twice, which is safe. Time alone, when hidden, is a divergence.
+    // If `leave` is renamed, no process leaves twice, so the system is safe. A process in which only time passes
+    // diverges if time is hidden.
     RightScript{"models/il.csp", "hhhhfh"},
-    // After the election, every node names any leader: events other than leader.3 occur, but not first.
+    // The specification allows every node to name any leader after the election. So events other than leader.3 occur,
+    // but not as the first event.
     RightScript{"models/leader.csp", "fhhhfh"},
-    // Without priority the cabin passes a floor whose button is pressed. Between floors `idle` may go on forever. Every
-    // lift refuses some event of a watch that offers all events.
+    // Without priority, the cabin passes a floor whose button is pressed. Between floors, `idle` may go on forever. The
+    // watch offers all events, and every lift refuses some of them.
     RightScript{"models/lift.csp", "fhhfhf"},
-    // One operator for each assertion. After x and y the interrupting process still performs z. A process that diverges
-    // or terminates refines CHAOS, so the negated claim fails.
+    // Each assertion tests one operator. After x and y, the interrupting process still performs z. A process that
+    // diverges or terminates refines CHAOS, so the negated claim fails.
     RightScript{"models/ops.csp", "hhhhfhhhhhhhhff"},
     // The gate may close late, because only hidden steps are urgent.
     RightScript{"models/rail.csp", "ffhhhh"},
-    // High events are hidden and abstracted. The lock reveals them; copies do not. A process that hides all of them
-    // without the abstraction is never stable.
+    // The high events are hidden and abstracted. The lock reveals them, but copies do not. If all of them are hidden
+    // without the abstraction, the process is never stable.
     RightScript{"models/sec.csp", "fhffhf"},
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole scripts with the verdicts of their assertions; comments give the argument for each verdict.
+// Decides the assertions of whole scripts. Comments give the argument for each verdict.
 #include "checker/cspm/session.hpp"
 
 #include <gtest/gtest.h>
@@ -90,8 +90,6 @@ assert Small::Zero :[has trace [T]]: <Small::get.0>
                     "hfh");
 }
 
-// In a timed section with zero durations, tock is always possible while an event waits, and timed_priority lets no time
-// pass while a tau is possible (semantics 3.10).
 std::vector<AssertionResult> results(const std::string& text, const refine::Limits& limits) {
     Reading reading(text);
     (void)check_types(reading.script, reading.diagnostics);
@@ -102,7 +100,7 @@ std::vector<AssertionResult> results(const std::string& text, const refine::Limi
     return all;
 }
 
-// Five components with three hidden steps each have 4^5 states, of which one remains if confluent taus are followed.
+// Five components with three hidden steps each have 4^5 states. If confluent taus are followed, one of them remains.
 // The reduced form has a trace if and only if the whole system has it.
 TEST(SessionTest, ATraceIsLookedForInTheReducedForm) {
     const std::string text = R"(channel step : {0..4}.{0..2}
@@ -133,7 +131,7 @@ assert System :[has trace [F]]: <done, done>
     EXPECT_EQ(shown.steps.size(), whole.at(1).verdict.counterexample.value().steps.size()) << "the shortest run";
 }
 
-// A hidden step of a reader excludes the writer, so no proof that the step is confluent succeeds. Each failed proof
+// A hidden step of a reader excludes the writer, so every proof that the step is confluent fails. Each failed proof
 // examines thousands of states of the lock and the readers, so the search must stop trying.
 TEST(SessionTest, AReductionWhoseProofsFailIsGivenUp) {
     const std::string text = R"(R = {1..8}
@@ -151,12 +149,12 @@ assert Any [T= (((||| r : R @ Reader(r)) ||| Writer) [| Locking |] Lock(0, false
     limits.reduction = true;
     const refine::Verdict verdict = results(text, limits).at(0).verdict;
     EXPECT_EQ(verdict.outcome, refine::Outcome::holds);
-    EXPECT_EQ(verdict.statistics.states, 6563U);  // 3^8 reader states; the writer before and after writing
+    EXPECT_EQ(verdict.statistics.states, 6563U);  // 3^8 states of the readers, and the writer before and after writing
     EXPECT_EQ(verdict.statistics.chased, 0U);
 }
 
-// Each initial event leads to different components. Decomposition would create several hundred components for a dozen
-// states.
+// Each initial event leads to different components. If the compiler decomposed the process, it would create several
+// hundred components for a dozen states.
 TEST(SessionTest, AProcessOfFewStatesIsNotTakenApart) {
     Reading reading(R"(channel a, b, c : {0..3}
 channel stop
@@ -184,8 +182,8 @@ TEST(SessionTest, InstancesAreMadeWithinABudget) {
     EXPECT_THROW((void)check_types(script, findings), diagnostics::LimitReached);
 }
 
-/// P alone has a thousand states, of which the whole process reaches five. The limit applies to the states of the
-/// check.
+/// P alone has a thousand states, but the whole process reaches only five of them. The limit applies to the states of
+/// the check.
 TEST(SessionTest, LargeComponentsWithinSmallChecksAreDecided) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -204,6 +202,8 @@ TEST(SessionTest, LargeComponentsWithinSmallChecksAreDecided) {
     }
 }
 
+// In a timed section with zero durations, tock is always possible while an event waits, and timed_priority lets no time
+// pass while a tau is possible (semantics 3.10).
 TEST(SessionTest, TimedSections) {
     expect_outcomes(R"(channel a, b, tock
 OneStep(_) = 0
@@ -256,7 +256,7 @@ assert P :[has trace [T]]: <a>
                     "hhf");
 }
 
-// c$x chooses x internally, c?x leaves the choice to the environment.
+// c$x chooses x internally. c?x leaves the choice to the environment.
 TEST(SessionTest, NondeterministicInput) {
     expect_outcomes(R"(channel c : {0,1}
 assert c?x -> STOP [F= c$x -> STOP
@@ -265,7 +265,7 @@ assert c$x -> STOP [F= c?x -> STOP
                     "fh");
 }
 
-// A lambda that is passed around a recursion stays the same value, so R's recursion is one state.
+// R passes a lambda to its recursive call. The lambda stays the same value, so R is one state.
 TEST(SessionTest, FunctionsAsArgumentsHaveOneIdentity) {
     expect_outcomes(R"(channel c : {0..3}
 Q(k) = c.k -> Q(k)
@@ -307,7 +307,7 @@ TEST(SessionTest, FaultsAreNamed) {
               "2 is not a value of its field in c.2 (the field's type is {0, 1})");
 }
 
-// The second evaluation encounters values that the first one left half evaluated.
+// The first evaluation leaves values half evaluated, and the second evaluation encounters them.
 TEST(SessionTest, AFaultIsTheSameWhenAskedAgain) {
     const Reading reading(R"(channel c : {0..1/0}
 datatype D = A.{0..1/0}
@@ -329,8 +329,8 @@ z = let v = 1/0 within v + v
 }
 
 // Each part chooses a hidden event about 100 times between two visible ones, so the parts together have more than
-// 1,000,000 states. A compressed part has one state. On a slow machine the decision diagrams would begin to decide
-// before the states are enough for the compression, so they start late here.
+// 1,000,000 states. A compressed part has one state. The test delays the decision diagrams: on a slow machine they
+// would answer before the search has enough states to compress the parts.
 TEST(SessionTest, PartsAreCompressedIfManyStatesGiveNoAnswer) {
     const Reading reading(R"(channel h : {0..1}
 channel a, b, c
@@ -353,7 +353,7 @@ assert Two [T= Parts
     EXPECT_EQ(holds.outcome, refine::Outcome::holds) << holds.reason;
     EXPECT_EQ(holds.statistics.decided_by, refine::DecidedBy::compressed_parts);
     EXPECT_LT(holds.statistics.states, 10U);
-    // A violation has its run: c happens after 99 hidden steps.
+    // The counterexample has its complete run: c happens after 99 hidden steps.
     const refine::Verdict fails = session.check(*assertions.at(1), limits).verdict;
     ASSERT_EQ(fails.outcome, refine::Outcome::fails) << fails.reason;
     EXPECT_EQ(fails.statistics.decided_by, refine::DecidedBy::search);
@@ -371,13 +371,13 @@ TEST(SessionTest, RoboToolTimedAssertions) {
     diagnostics::Diagnostics found;
     Session session(read_file(sources, file.string(), found));
     ASSERT_TRUE(found.ok());
-    // The script's authors state that model and specification are equal (A0, A2: both directions in FD). A1 and A3
-    // state the same in tick-tock, through prioritisepo.
+    // The script's authors state that model and specification are equal. A0 and A2 are the two directions in FD. A1 and
+    // A3 state the same in tick-tock, through prioritisepo.
     for (const DeclPtr& assertion : session.assertions()) {
         if (assertion->assertion.model != Model::failures_divergences) continue;
         EXPECT_EQ(session.check(*assertion, {}).verdict.outcome, refine::Outcome::holds);
     }
-    // A process without events is not a specification that Spec refines.
+    // Spec does not refine a process without events.
     const ExprPtr nothing = build::call("RUN", {build::set({})});
     const Decl wrong = *build::assert_refines(nothing, Model::failures_divergences, build::name("Spec"));
     EXPECT_EQ(session.check(wrong, {}).verdict.outcome, refine::Outcome::fails);

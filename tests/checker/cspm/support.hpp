@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Helpers for the tests of the CSPM language.
+// Reads scripts in the tests of the CSPM language.
 #pragma once
 
 #include <filesystem>
@@ -26,14 +26,14 @@ struct Reading {
     }
     [[nodiscard]] bool ok() const { return diagnostics.ok(); }
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
-    /// The code of the first finding, or "".
+    /// Returns the code of the first finding, or "".
     [[nodiscard]] std::string code() const {
         const auto all = diagnostics.sorted_findings();
         return all.empty() ? "" : std::string(all.front().rule->code);
     }
 };
 
-/// h: holds, f: fails, ?: inconclusive.
+/// Returns h for holds, f for fails, and ? for inconclusive.
 inline char outcome_letter(refine::Outcome outcome) {
     switch (outcome) {
         case refine::Outcome::holds:
@@ -55,7 +55,7 @@ struct PublishedScript {
     std::string file;         ///< below suite/cspm
 };
 
-/// All rows, in order, without the heading.
+/// Returns all rows, in order, without the heading.
 inline std::vector<PublishedScript> published_scripts(const std::filesystem::path& suite) {
     std::vector<PublishedScript> result;
     std::ifstream table(suite / "EXPECTED.tsv");

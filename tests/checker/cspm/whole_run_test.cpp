@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Process descriptions with placeholders for omitted values.
+// Tests the descriptions of processes in which placeholders replace omitted values.
 #include "checker/cspm/whole_run.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Minimisation: known quotients; strong bisimulation compared with the greatest bisimulation, computed by eliminating
-// pairs; and preservation of the models, on random processes.
+// Tests minimisation: known quotients, strong bisimulation compared with the greatest bisimulation (computed by
+// eliminating pairs), and preservation of the models on random processes.
 #include "checker/lts/bisimulation.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Bisimulation, MergesEqualStatesAndUnrolledLoops) {
 }
 
 TEST(Bisimulation, KeepsTheMomentOfChoice) {
-    // a.(b + c) against a.b + a.c, the textbook pair
+    // Compares a.(b + c) with a.b + a.c, the textbook pair.
     const Graph late = graph_of({{{a, 1}}, {{a, 2}, {b, 2}}, {}});
     EXPECT_EQ(minimise(late, strong).graph.size(), 3U);
     const Graph early = graph_of({{{a, 1}, {a, 2}}, {{a, 3}}, {{b, 3}}, {}});
@@ -53,7 +53,7 @@ TEST(Bisimulation, KeepsTheMomentOfChoice) {
 
 TEST(Bisimulation, BranchingRemovesInertTausOnly) {
     EXPECT_EQ(minimise(graph_of({{{tau, 1}}, {{tau, 2}}, {{a, 3}}, {}}), branching).graph, graph_of({{{a, 1}}, {}}));
-    // tau.a + b: the tau discards b
+    // In tau.a + b, the tau discards b.
     const Graph choosing = graph_of({{{tau, 1}, {b, 2}}, {{a, 2}}, {}});
     EXPECT_EQ(minimise(choosing, branching).graph.size(), 3U);
     // The process is a + tau.(a + b), where both a's lead to the same state. The tau is inert for branching
@@ -77,7 +77,7 @@ TEST(Bisimulation, LeavesOutWhatIsNotReached) {
     EXPECT_EQ(quotient.state_of, (std::vector<StateIndex>{0, no_state}));
 }
 
-/// The number of classes of the greatest bisimulation, computed by removing distinguishable pairs.
+/// Returns the number of classes of the greatest bisimulation, computed by removing distinguishable pairs.
 std::size_t classes_by_elimination(const Graph& graph) {
     const auto n = static_cast<StateIndex>(graph.size());
     std::set<std::pair<StateIndex, StateIndex>> related;
@@ -106,7 +106,8 @@ std::size_t classes_by_elimination(const Graph& graph) {
     return classes.size();
 }
 
-/// Minimal graphs of equivalent processes differ only in their numbering.
+/// Returns whether the minimal graphs have the same size. Minimal graphs of equivalent processes differ only in their
+/// numbering.
 bool same_size(const Graph& x, const Graph& y) {
     return x.size() == y.size() && x.edge_count() == y.edge_count();
 }

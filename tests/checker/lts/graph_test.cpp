@@ -26,13 +26,13 @@ protected:
         TermSystem system(semantics, term);
         return explore(system, [](std::size_t) {}).graph;
     }
-    /// (a -> SKIP) |~| (say"hi" -> STOP)
+    /// Returns (a -> SKIP) |~| (say"hi" -> STOP).
     TermId example() { return s.op(Op::internal_choice, {s.prefix("a", s.skip()), s.prefix("say\"hi\"", s.stop())}); }
 };
 
 TEST_F(Graphs, ExploreBreadthFirst) {
     const Graph graph = graph_of(example());
-    // State 0 is the choice, 1 and 2 are its sides, 3 is SKIP, 4 is STOP, and 5 is the state after tick.
+    // State 0 is the choice, 1 and 2 are its operands, 3 is SKIP, 4 is STOP, and 5 is the state after tick.
     EXPECT_EQ(graph.size(), 6U);
     EXPECT_EQ(graph.edge_count(), 5U);
     ASSERT_EQ(graph.edges(0).size(), 2U);
@@ -61,7 +61,7 @@ TEST_F(Graphs, WriteAldebaran) {
               "(3,\"tick\",5)\n");
 }
 
-/// Names of visible events that readers of the format would treat as hidden steps are changed.
+/// The format's readers would treat some names of visible events as hidden steps, so the export changes these names.
 TEST_F(Graphs, EventsNamedLikeHiddenStepsAreWrittenApart) {
     std::ostringstream out;
     write_aut(graph_of(s.prefix("tau", s.prefix("tau_", s.prefix("i", s.prefix("tick", s.stop()))))), s.events, out);

@@ -54,7 +54,7 @@ TEST(StateStore, OfNoWordsHoldsOneState) {
     EXPECT_EQ(store.size(), 1U);
 }
 
-/// The states that one of several threads claims; each thread has its own numbers.
+/// Collects the states that one of several threads claims. Each thread has its own numbers.
 class OwnClaims {
 public:
     OwnClaims(std::vector<OwnClaims>& all, std::size_t number) : all_(all), number_(number) { rows_.reserve(most); }
@@ -92,8 +92,8 @@ private:
     std::vector<Word> kept_ = std::vector<Word>(most);
 };
 
-/// Four threads find the same few states. The lowest claim of each state remains, and states that were already present
-/// are not claimed.
+/// Four threads find the same few states. The lowest claim of each state remains, and a state that is already in the
+/// store is not claimed.
 TEST(StateStore, OfEqualClaimsKeepsTheLowest) {
     StateStore store(1);
     for (Word word = 0; word < 1000; ++word) store.insert(StateView(&word, 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strongly connected components compared with their definition: vertices that reach each other.
+// Compares strongly connected components with their definition, in which vertices of a component reach each other.
 #include "checker/lts/strong_components.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ std::vector<Component> components(const Edges& edges, const std::vector<StateInd
     return result;
 }
 
-/// Reachability by one edge or more.
+/// Returns which vertices are reachable from which by one edge or more.
 std::vector<std::vector<bool>> reachability(const Edges& edges) {
     const std::size_t size = edges.size();
     std::vector<std::vector<bool>> reaches(size, std::vector<bool>(size, false));
@@ -91,7 +91,7 @@ TEST(StrongComponents, AreTheVerticesThatReachEachOther) {
     }
 }
 
-/// A recursive algorithm would need a stack as deep as the path.
+/// On this path, a recursive algorithm would need a stack as deep as the path is long.
 TEST(StrongComponents, OfLongPathsNeedNoDeepStack) {
     constexpr StateIndex size = tests::size_of_input(2'000'000);
     for (const bool closed : {false, true}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled processes compared with their terms: the two are strongly bisimilar, for each operator alone and for random
+// Compares compiled processes with their terms. The two are strongly bisimilar, for each operator alone and for random
 // compositions. A process that cannot be compiled stays a term.
 #include "checker/machine/compiler.hpp"
 
@@ -29,7 +29,7 @@ lts::Graph graph_of(lts::TransitionSystem& system) {
 
 class Compiled : public testing::Test {
 protected:
-    /// The number of states of the compiled process, which must be bisimilar to the term.
+    /// Checks that the compiled process is bisimilar to the term. Returns its number of states.
     std::size_t states(TermId term) {
         const auto system = compiler.compile(term, diagnostics::unlimited);
         if (!system) {
@@ -42,7 +42,8 @@ protected:
         return graph.size();
     }
     TermId twice(const char* event) { return s.prefix(event, s.prefix(event, s.skip())); }
-    /// Two components take two steps each and then terminate together. They have 3 * 3 states and the terminated state.
+    /// Returns two components that take two steps each and then terminate together. They have 3 * 3 states and the
+    /// terminated state.
     TermId pair() { return s.over(Op::parallel, {twice("a"), twice("b")}, {}); }
     static constexpr std::size_t states_of_pair = 10;
 
@@ -68,9 +69,8 @@ TEST_F(Compiled, OperatorsThatOneOperandOutlives) {
     EXPECT_EQ(states(s.over(Op::exception, {pair(), s.prefix("c", stop)}, {"b"})), 5U);
     // c may interrupt in every state except the terminated one.
     EXPECT_EQ(states(s.op(Op::interrupt, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
-    // An event of the pair resolves the choice and the timeout. Only the initial state has the alternative, so the
-    // choice adds only the terminated state of c. After the timeout there are also the initial and terminated states of
-    // c.
+    // An event of the pair resolves the choice and the timeout. Only the initial state offers the alternative, so the
+    // choice adds only the terminated state of c. The timeout also adds the initial and terminated states of c.
     EXPECT_EQ(states(s.op(Op::external_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
     EXPECT_EQ(states(s.op(Op::sliding, {pair(), s.prefix("c", stop)})), states_of_pair + 2);
     EXPECT_EQ(states(s.op(Op::internal_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 3);
@@ -89,8 +89,8 @@ TEST_F(Compiled, RecursionThroughCompositions) {
     EXPECT_EQ(states(started), states_of_pair);
 }
 
-// Machines with modes. An event that keeps the mode or changes it leads back to a node through a choice that the event
-// has resolved. Each mode is one state, for any transitions between the modes.
+// Machines with modes. An event that keeps or changes the mode resolves a choice, and then leads back to a node of the
+// compiled process. Each mode is one state, whatever the transitions between the modes are.
 TEST_F(Compiled, ModesBeforeComponents) {
     const TermId off = s.name("Off");
     const TermId on = s.name("On");
@@ -112,7 +112,8 @@ TEST_F(Compiled, ModesBeforeComponents) {
     EXPECT_EQ(states(timed), 2 + states_of_pair);
 }
 
-// If there are infinitely or very many modes, a component is cut at the first event, or the whole process stays a term.
+// With infinitely or very many modes, the compiler gives up and returns null, so the whole process stays a term. If the
+// process is one operand, the component of this operand covers it only up to its first event.
 TEST_F(Compiled, ModesWithoutEnd) {
     TermId next = stop;
     for (int i = 0; i < 2'000; ++i) next = s.menu({{"up", next}, {"go", pair()}});
@@ -131,7 +132,7 @@ TEST_F(Compiled, PrioritiesInsideAndOutside) {
 }
 
 TEST_F(Compiled, RemovesEventsThatOtherComponentsBlock) {
-    // A cell that can output its value, one of ten. No other component listens, so the values are equivalent.
+    // A cell outputs its value, which is one of ten. No other component listens, so the values are equivalent.
     std::vector<TermId> cell;
     std::vector<std::pair<std::string, TermId>> writes;
     std::vector<std::string> reads;
@@ -155,7 +156,7 @@ TEST_F(Compiled, RemovesEventsThatOtherComponentsBlock) {
 }
 
 TEST_F(Compiled, KeepsBlockedEventsThatAPriorityDependsOn) {
-    // Inside, b has priority over a; outside, b is blocked. So neither of them occurs, and only c remains.
+    // Inside the region, b has priority over a. Outside, b is blocked. So neither of them occurs, and only c remains.
     const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), stop}), {{"b"}, {"a"}});
     EXPECT_EQ(states(s.over(Op::parallel, {inner, twice("c")}, {"b"})), 3U);
 }
@@ -221,7 +222,7 @@ TEST_F(Compiled, GoesOnAfterASinkHasThrown) {
 }
 
 TEST_F(Compiled, PrioritiesOfRegionsThatRulesAroundAskFor) {
-    // There are two prioritised pairs, in each of which b has priority over a. Outside they synchronise on a, and c has
+    // The two prioritised pairs each give b priority over a. The region around them synchronises them on a, and gives c
     // priority over all other events.
     const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), s.prefix("c", stop)}), {{"b", "c"}, {"a"}});
     const TermId meeting = s.over(Op::parallel, {inner, inner}, {"a"});
@@ -247,7 +248,7 @@ TEST_F(Compiled, ServesCompressions) {
 }
 
 // The compiler stores at most five states of an operand. dbisim may follow the hidden a's, which leaves the four states
-// of b; sbisim needs all ten.
+// of b. sbisim needs all ten states.
 TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
     MachineCompressor compressor;
     process::OperationalSemantics compressing(s.store, &compressor);
@@ -282,7 +283,7 @@ TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
     EXPECT_EQ(graph_of(stepped).size(), states_of_pair);
 }
 
-/// Two random processes combined by one operator.
+/// Combines two random processes by one operator.
 process::TermId joined(refine::Translation& translation, const refine::naive::Script& script, unsigned how) {
     Scripted& s = translation.scripted();
     const TermId p = translation.term(script.mains[0]);

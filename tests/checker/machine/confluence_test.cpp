@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the conditions for following a tau (docs/search.md, "Confluent taus") one by one, and those for following a
-// step with any event ("Deadlocks"). Each condition has a process whose answer would be wrong without it. The expected
-// answers follow by reasoning about the few states of each process.
+// Tests one by one the conditions under which a tau is followed (docs/search.md, "Confluent taus"), and those under
+// which a step with any event is followed ("Deadlocks"). For each condition there is a process whose answer would be
+// wrong without it. The expected answers follow by reasoning about the few states of each process. The tests of a
+// condition begin with its number.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 using process::first_visible;
 using process::tau;
 
-// Events of components and of rules with the same names. `a` and `h` are hidden. The specification forbids `x`.
+// Names of events, which components and rules share. `a` and `h` are hidden. The specification forbids `x`.
 enum Name : Event { a = first_visible, b, c, d, h, o, x };
 
 std::uint32_t place_of(const EventSet& alphabet, Event event) {
@@ -32,9 +33,9 @@ protected:
         for (const char* const name : {"a", "b", "c", "d", "h", "o", "x"}) s.event(name);
     }
 
-    /// `levels`: the levels of priority in an inner region with the first `inside` components. Without levels there is
-    /// no inner region. A joint event of components inside and outside synchronises the region with the other
-    /// components.
+    /// Makes a process from these components and joint events. `levels` are the levels of priority in an inner region
+    /// with the first `inside` components. Without levels there is no inner region. A joint event of components inside
+    /// and outside synchronises the region with the other components.
     void make(const std::vector<Rows>& components, const std::vector<Joint>& joints,
               const std::vector<std::uint32_t>& levels = {}, std::size_t inside = 9) {
         inside = levels.empty() ? 0 : std::min(inside, components.size());
@@ -70,7 +71,7 @@ protected:
         whole =
             std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(made)), s.store);
     }
-    /// The requirements of the joint event on those participants that are components.
+    /// Returns the requirements of the joint event on those participants that are components.
     static std::vector<Requirement> parts(const Joint& joint, const std::vector<Participant>& participants,
                                           const std::vector<EventSet>& alphabets) {
         std::vector<Requirement> result;
@@ -83,7 +84,7 @@ protected:
     }
     static Event hide_event(Event event) { return event == a || event == h ? tau : event; }
 
-    /// Checks with and without the reduction whether x can occur; fails if the answers differ.
+    /// Checks with and without the reduction whether x can occur. Fails if the answers differ.
     testing::AssertionResult can_do_x() {
         Supercombinator allowed;
         Rows row(1);
@@ -107,7 +108,7 @@ protected:
         return testing::AssertionFailure() << "x cannot happen";
     }
 
-    /// Checks with and without the reduction whether the process can deadlock; fails if the answers differ.
+    /// Checks with and without the reduction whether the process can deadlock. Fails if the answers differ.
     testing::AssertionResult can_deadlock() {
         refine::Limits limits;
         const auto all = refine::deadlock_free(*whole, refine::Model::failures, limits).outcome;
@@ -137,8 +138,8 @@ protected:
     std::unique_ptr<SupercombinatorSystem> whole;
 };
 
-// 1. An event of a higher level prevents the tau: b occurs first, and then x is no longer possible. The tau does not
-// change the state of the region. (The third component can always do h, which is followed.)
+// Condition 1: an event of a higher level prevents the tau. b occurs first, and then x is no longer possible. The tau
+// does not change the state of the region. (The third component can always do h, which is followed.)
 TEST_F(Conditions, ATauThatIsPreventedIsNotFollowed) {
     make({{{{a, 0}, {b, 1}, {x, 0}}, {{a, 1}, {o, 1}}}, {{{a, 1}}, {{x, 1}}}, {{{h, 1}}, {}}},
          {{a, {0, 1}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0, 1}, {}}, {h, {2}, {}}}, {no_level, no_level, 1, 0}, 1);
@@ -146,21 +147,21 @@ TEST_F(Conditions, ATauThatIsPreventedIsNotFollowed) {
     EXPECT_EQ(states_and_kept(), Sizes(6, 3));
 }
 
-// 2. The tau leads to two states.
+// Condition 2: the tau leads to two states.
 TEST_F(Conditions, ATauWithTwoResultsIsNotFollowed) {
     make({{{{a, 1}, {a, 2}}, {{o, 1}}, {{x, 2}}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
     EXPECT_TRUE(can_do_x());
     EXPECT_EQ(states_and_kept(), Sizes(3, 3));
 }
 
-// 3. The component has an alternative to the tau.
+// Condition 3: the component has an alternative to the tau.
 TEST_F(Conditions, ATauIsNotFollowedWhereItsComponentHasAChoice) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
     EXPECT_TRUE(can_do_x());
     EXPECT_EQ(states_and_kept(), Sizes(3, 3));
 }
 
-// 3. The other event has low priority, but the tau has no level, so it prevents nothing.
+// Condition 3: the other event has low priority, but the tau has no level, so it does not prevent this event.
 TEST_F(Conditions, ATauWithoutLevelPreventsNothing) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}, {d, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}, {d, {0}, {}}},
          {no_level, no_level, no_level, no_level, no_level, 0, no_level, no_level, 1});
@@ -168,7 +169,7 @@ TEST_F(Conditions, ATauWithoutLevelPreventsNothing) {
     EXPECT_EQ(states_and_kept(), Sizes(3, 3));
 }
 
-// ... but if the tau has the first level, it prevents the other event.
+// If the tau of the test above has the first level, it prevents the other event.
 TEST_F(Conditions, ATauOfTheFirstLevelPrevents) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}},
          {no_level, no_level, 0, no_level, no_level, no_level, no_level, no_level, 1});
@@ -176,7 +177,7 @@ TEST_F(Conditions, ATauOfTheFirstLevelPrevents) {
     EXPECT_EQ(states_and_kept(), Sizes(2, 1));
 }
 
-// 3. Both orders are possible and lead to different states.
+// Condition 3: the tau and b are possible in both orders, which lead to different states.
 TEST_F(Conditions, BothOrdersMustLeadToOneState) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 4}}, {{o, 3}}, {{x, 4}}}},
          {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
@@ -184,7 +185,7 @@ TEST_F(Conditions, BothOrdersMustLeadToOneState) {
     EXPECT_EQ(states_and_kept(), Sizes(5, 4));  // after b the tau is followed
 }
 
-// 3. After the other event the tau leads to a second state.
+// Condition 3: after b, the tau leads to two states, of which only one is the state after the other order.
 TEST_F(Conditions, BothOrdersMustLeadToOneStateAlone) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}, {a, 4}}, {{o, 3}}, {{x, 4}}}},
          {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
@@ -192,21 +193,21 @@ TEST_F(Conditions, BothOrdersMustLeadToOneStateAlone) {
     EXPECT_EQ(states_and_kept(), Sizes(5, 5));
 }
 
-// ... but commuting events are allowed: a and b in any order, four states.
+// If a and b commute, the tau is followed: a and b in any order reach four states.
 TEST_F(Conditions, EventsOfOneComponentMayCommute) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}}, {{o, 3}}}}, {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}});
     EXPECT_FALSE(can_do_x());
     EXPECT_EQ(states_and_kept(), Sizes(4, 2));
 }
 
-// 3. The tau changes the state of another component, which could do x before.
+// Condition 3: the tau changes the state of another component, which could do x before.
 TEST_F(Conditions, TauThatDisablesAnotherComponentIsNotFollowed) {
     make({{{{a, 1}}, {}}, {{{x, 1}}, {{o, 1}}, {{o, 2}}}}, {{a, {0}, {{1, 2}}}, {x, {1}, {}}, {o, {1}, {}}});
     EXPECT_TRUE(can_do_x());
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// 3. Another rule deactivates a component of the tau, and the other component can then do x.
+// Condition 3: another rule deactivates a component of the tau, and the other component can then do x.
 TEST_F(Conditions, ATauThatCanBeTurnedOffIsNotFollowed) {
     make({{{{a, 1}}, {{o, 1}}, {{x, 2}}}, {{{b, 1}}, {}}, {{{a, 1}, {x, 0}}, {}}},
          {{a, {0, 2}, {}}, {b, {1}, {{0, 2}}}, {o, {0}, {}}, {x, {0, 2}, {}}});
@@ -214,7 +215,7 @@ TEST_F(Conditions, ATauThatCanBeTurnedOffIsNotFollowed) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// 4. After the tau, d is possible and prevents b: if d comes first, x is not possible after b.
+// Condition 4: after the tau, d is possible and prevents b. If d comes first, x is not possible after b.
 TEST_F(Conditions, ATauThatLetsAnEventPreventOthersIsNotFollowed) {
     make({{{{a, 1}, {x, 0}}, {{d, 2}, {x, 1}}, {}}, {{{b, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {b, {1}, {}}, {d, {0}, {}}, {x, {0, 1}, {}}}, {no_level, no_level, no_level, 1, no_level, 0});
@@ -222,7 +223,7 @@ TEST_F(Conditions, ATauThatLetsAnEventPreventOthersIsNotFollowed) {
     EXPECT_EQ(states_and_kept(), Sizes(6, 5));  // after b, the tau is followed
 }
 
-// The conditions must also hold after b, where x is possible as an alternative to the tau.
+// The conditions must also hold after b. There, x is possible as an alternative to the tau.
 TEST_F(Conditions, TheyHaveToHoldAfterOtherEvents) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}, {x, 4}}, {{o, 3}}, {}}},
          {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
@@ -230,7 +231,7 @@ TEST_F(Conditions, TheyHaveToHoldAfterOtherEvents) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// Event x needs a second component, which becomes ready for it by a separate step.
+// Event x needs the second component, which becomes ready for x by a separate step.
 TEST_F(Conditions, WhatIsTrackedMovesOn) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{{b, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {b, {1}, {}}, {o, {0}, {}}});
@@ -238,14 +239,15 @@ TEST_F(Conditions, WhatIsTrackedMovesOn) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// ... or by a hidden step with a third component, which is ready for it.
+// The second component becomes ready for x by a hidden step with a third component. b makes the third component ready
+// for this step.
 TEST_F(Conditions, WhatIsTrackedMovesOnWithOthers) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{{h, 1}}, {{x, 1}}}, {{{b, 1}}, {{h, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {h, {1, 2}, {}}, {b, {2}, {}}, {o, {0}, {}}});
     EXPECT_TRUE(can_do_x());
 }
 
-// ... or because another rule sets its state.
+// Another rule sets the state of the second component, which makes it ready for x.
 TEST_F(Conditions, WhatIsTrackedIsPutIntoStates) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{}, {{x, 1}}}, {{{b, 1}}, {}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {b, {2}, {{1, 1}}}, {o, {0}, {}}});
@@ -254,7 +256,7 @@ TEST_F(Conditions, WhatIsTrackedIsPutIntoStates) {
 }
 
 // The second component becomes ready for x only together with the first one, after the tau. So the tau is followed. The
-// states of the two are (0, 0), (1, 0), (3, 1).
+// reachable states of the two components are (0, 0), (1, 0), (3, 1).
 TEST_F(Conditions, TauIsFollowedIfConflictingStepsDependOnIt) {
     make({{{{a, 1}, {x, 2}}, {{c, 3}}, {}, {}}, {{{c, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {c, {0, 1}, {}}});
@@ -262,8 +264,8 @@ TEST_F(Conditions, TauIsFollowedIfConflictingStepsDependOnIt) {
     EXPECT_EQ(states_and_kept(), Sizes(3, 2));
 }
 
-// The second component becomes ready by a step with a third one, and the third one by a step with the first: (0, 0, 0),
-// (1, 0, 0), (3, 0, 1), (3, 1, 1).
+// The second component becomes ready by a step with the third one, and the third one by a step with the first. The
+// reachable states are (0, 0, 0), (1, 0, 0), (3, 0, 1), (3, 1, 1).
 TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForOthersThatWait) {
     make({{{{a, 1}, {x, 2}}, {{c, 3}}, {}, {}}, {{{d, 1}}, {{x, 1}}}, {{{c, 1}}, {{d, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {c, {0, 2}, {}}, {d, {1, 2}, {}}});
@@ -271,7 +273,7 @@ TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForOthersThatWait) {
     EXPECT_EQ(states_and_kept(), Sizes(4, 3));
 }
 
-// A cycle of followed taus in parallel with x. The event x is possible, and the process diverges.
+// A cycle of followed taus is in parallel with x. x is still possible, and the process still diverges.
 TEST_F(Conditions, ACycleOfFollowedTausLosesNothing) {
     make({{{{a, 1}}, {{a, 0}}}, {{{x, 1}}, {}}}, {{a, {0}, {}}, {x, {1}, {}}});
     EXPECT_TRUE(can_do_x());
@@ -282,42 +284,42 @@ TEST_F(Conditions, ACycleOfFollowedTausLosesNothing) {
     EXPECT_EQ(refine::deadlock_free(*whole, refine::Model::failures, limits).outcome, refine::Outcome::holds);
 }
 
-// For deadlocks visible steps are followed too: all states of two components that move on their own are one.
+// For deadlocks, the search follows visible steps too. Two components that move independently are then in one state.
 TEST_F(Conditions, VisibleStepsAreFollowedForDeadlocks) {
     make({{{{b, 1}}, {{c, 0}}}, {{{d, 1}}, {{o, 0}}}}, {{b, {0}, {}}, {c, {0}, {}}, {d, {1}, {}}, {o, {1}, {}}});
     EXPECT_FALSE(can_deadlock());
     EXPECT_EQ(states_for_deadlock(), 1U);
 }
 
-// A deadlock after all steps, which the followed steps reach.
+// The deadlock is reached after all steps, so following the steps finds it.
 TEST_F(Conditions, ADeadlockAtTheEndOfFollowedStepsIsFound) {
     make({{{{b, 1}}, {}}, {{{d, 1}}, {}}}, {{b, {0}, {}}, {d, {1}, {}}});
     EXPECT_TRUE(can_deadlock());
     EXPECT_EQ(states_for_deadlock(), 1U);
 }
 
-// 1. An event of a higher level prevents the step: b occurs first, and then o is always possible. If c came first, x
-// would lead to a deadlock.
+// Condition 1: an event of a higher level prevents the step. b occurs first, and then o is always possible. If c came
+// first, x would lead to a deadlock.
 TEST_F(Conditions, AVisibleStepThatIsPreventedIsNotFollowed) {
     make({{{{b, 1}, {c, 0}, {x, 2}}, {{c, 1}, {o, 1}}, {}}, {{{c, 1}}, {{x, 2}}, {}}},
          {{b, {0}, {}}, {c, {0, 1}, {}}, {o, {0}, {}}, {x, {0, 1}, {}}}, {no_level, no_level, no_level, 0, 1}, 1);
     EXPECT_FALSE(can_deadlock());
 }
 
-// 2. The step leads to two states, one of them a deadlock.
+// Condition 2: the step leads to two states, one of them a deadlock.
 TEST_F(Conditions, AVisibleStepWithTwoResultsIsNotFollowed) {
     make({{{{b, 1}, {b, 2}}, {{o, 1}}, {}}}, {{b, {0}, {}}, {o, {0}, {}}});
     EXPECT_TRUE(can_deadlock());
 }
 
-// 3. The component has an alternative to the step, which leads to a deadlock.
+// Condition 3: the component has an alternative to the step, which leads to a deadlock.
 TEST_F(Conditions, AVisibleStepIsNotFollowedWhereItsComponentHasAChoice) {
     make({{{{b, 1}, {x, 2}}, {{o, 1}}, {}}}, {{b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
     EXPECT_TRUE(can_deadlock());
 }
 
-// 4. After o, d is possible and prevents b, and after d, c is always possible. If b comes first, x takes the third
-// component away, without which d is impossible.
+// Condition 4: after o, d is possible and prevents b. After d, c is always possible. If b comes first, x moves the
+// third component to a state without d, and then no event is possible.
 TEST_F(Conditions, AVisibleStepThatLetsAnEventPreventOthersIsNotFollowed) {
     make({{{{o, 1}, {x, 0}}, {{d, 2}, {x, 1}}, {{c, 2}}}, {{{b, 1}}, {{x, 2}}, {}}, {{{d, 0}, {x, 1}}, {}}},
          {{o, {0}, {}}, {x, {0, 1, 2}, {}}, {d, {0, 2}, {}}, {c, {0}, {}}, {b, {1}, {}}},
@@ -325,7 +327,7 @@ TEST_F(Conditions, AVisibleStepThatLetsAnEventPreventOthersIsNotFollowed) {
     EXPECT_TRUE(can_deadlock());
 }
 
-// The reduced system shows its steps without events.
+// The steps of the reduced system have no events, but the counterexample must show them.
 TEST_F(Conditions, TheRunToADeadlockHasTheEventsOfItsSteps) {
     make({{{{b, 1}}, {{c, 2}}, {}}, {{{d, 1}}, {}}}, {{b, {0}, {}}, {c, {0}, {}}, {d, {1}, {}}});
     refine::Limits limits;

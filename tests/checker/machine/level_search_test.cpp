@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Level searches, with threads as ranks and as programs with several ranks each, have the answers, figures and lengths
-// of counterexamples of the ordinary search. The counterexample is the same for every number of ranks. Tested on random
-// rules and on families of known size.
+// Tests level searches, with threads as ranks and with programs of several ranks each. They must have the answers,
+// figures and lengths of counterexamples of the ordinary search. The counterexample must be the same for every number
+// of ranks. The tests use random rules and families of known size.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -42,7 +42,7 @@ std::string verdict_text(const Verdict& verdict) {
            words(verdict.counterexample->steps) + " then" + words(verdict.counterexample->loop);
 }
 
-/// Returns everything that must be the same as in the ordinary search. This includes figures only if the whole space is
+/// Returns everything that must be the same as in the ordinary search. The figures belong to it only if all states are
 /// visited.
 std::string in_common(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
@@ -57,7 +57,7 @@ std::string in_common(const Verdict& verdict) {
 
 using Ask = std::function<Verdict(const refine::Limits&)>;
 
-/// All questions about the two systems.
+/// Returns all questions about the two systems.
 std::vector<Ask> questions(lts::TransitionSystem& specification, lts::TransitionSystem& system) {
     std::vector<Ask> all;
     for (const refine::Model model :
@@ -177,7 +177,7 @@ TEST(ThreadRanks, ARankThatFailsEndsAll) {
     }
 }
 
-/// Each of `count` ranks sends to rank r a message of r words that identify the sender.
+/// As one of `count` ranks, sends to each rank r a message of r words, which identify the sender.
 void exchange_everything(refine::Exchange& exchange, unsigned count) {
     const unsigned rank = exchange.rank();
     ASSERT_EQ(exchange.ranks(), count);
@@ -185,7 +185,7 @@ void exchange_everything(refine::Exchange& exchange, unsigned count) {
     for (int round = 0; round < 3; ++round) {
         out.words.clear();
         for (unsigned to = 0; to < count; ++to) {
-            out.words.push_back(99);  // belongs to no message
+            out.words.push_back(99);  // an additional word, which belongs to no message
             out.begins[to] = out.words.size();
             out.sizes[to] = to;
             out.words.insert(out.words.end(), to, 10 * rank + to);
@@ -205,7 +205,7 @@ void exchange_everything(refine::Exchange& exchange, unsigned count) {
         exchange.broadcast(text);
         EXPECT_EQ(text, "rank 0");
     }
-    // Messages go to every rank except the sender itself and 0, whose message is empty.
+    // A rank sends messages to every rank except itself and rank 0, for which the message is empty.
     EXPECT_EQ(exchange.traffic().messages, 3 * (count - (rank == 0 ? 1 : 2)));
 }
 
@@ -213,7 +213,7 @@ TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
     refine::as_ranks(3, [](refine::Exchange& exchange) { exchange_everything(exchange, 3); });
 }
 
-/// One message per round, preceded by a number for each pair of threads.
+/// Checks that each program sends one message per round, which begins with a number for each pair of threads.
 void exchange_by_programs(unsigned programs, unsigned threads) {
     refine::as_ranks(programs, [=](refine::Exchange& exchange) {
         refine::as_ranks(exchange, threads, [=](refine::Exchange& rank_exchange) {
@@ -236,7 +236,7 @@ TEST(ThreadPrograms, SendOneMessageToEachOtherProgram) {
     exchange_by_programs(2, 3);
 }
 
-/// An error in one thread ends all threads of all programs, also those that wait for others.
+/// An error in one thread ends all threads of all programs, including threads that wait for others.
 TEST(ThreadPrograms, AThreadThatFailsEndsAll) {
     for (unsigned failing = 0; failing < 6; ++failing) {
         const auto work = [failing](refine::Exchange& exchange) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes whose parts are compressed before they are combined (docs/search.md, "Compressed parts") have the answers
-// of the definition, and fewer states.
+// Tests processes whose parts are compressed before they are combined (docs/search.md, "Compressed parts"). They have
+// the answers of the definition, and fewer states.
 #include <gtest/gtest.h>
 
 #include "checker/lts/graph.hpp"
@@ -32,7 +32,8 @@ protected:
     Compiler plain{semantics};
     Compiler by_parts{semantics, with_parts()};
 
-    /// STEPS in parallel with ECHO over `h`, with `h` hidden: two hidden steps before each visible one.
+    /// Returns STEPS in parallel with ECHO over `h`, with `h` hidden. It performs two hidden steps before each visible
+    /// one.
     TermId part(const std::string& visible) {
         const TermId steps = s.cycle("STEPS" + visible, {"h", "h", visible.c_str()});
         const TermId echo = s.cycle("ECHO" + visible, {"h"});
@@ -77,10 +78,10 @@ TEST_F(Parts, SmallerPartsOfALargePartAreCompressed) {
     const auto system = bounded.compile(s.over(Op::parallel, {part("a"), inner}, {}), diagnostics::unlimited);
     ASSERT_NE(system, nullptr);
     EXPECT_TRUE(bounded.has_compressed_parts());
-    EXPECT_EQ(states(*system), 4U);  // those of C
+    EXPECT_EQ(states(*system), 4U);  // the four states of C
 }
 
-/// A part that diverges is not replaced by one that does not, and one that is stable keeps its refusals.
+/// A part that diverges is never replaced by one that does not. A stable part keeps its refusals.
 TEST_F(Parts, DivergenceStays) {
     const TermId loop =
         s.over(Op::hide, {s.over(Op::parallel, {s.cycle("L", {"h"}), s.cycle("M", {"h"})}, {"h"})}, {"h"});
@@ -90,7 +91,7 @@ TEST_F(Parts, DivergenceStays) {
     EXPECT_EQ(refine::divergence_free(*system, {}).outcome, Outcome::fails);
 }
 
-/// The answer with compressed parts.
+/// Returns the answer with compressed parts.
 Outcome answer(const Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right) {
     const Model model = question.semantics == refine::naive::Semantics::T   ? Model::traces
                         : question.semantics == refine::naive::Semantics::F ? Model::failures
@@ -118,7 +119,7 @@ public:
           translation_(explored.test_case.script),
           compiler_(translation_.semantics(), with_parts()) {}
 
-    /// Whether parts of the case were compressed.
+    /// Returns true if parts of the case were compressed.
     [[nodiscard]] bool is_compressed() {
         for (const refine::naive::Process& main : explored_.test_case.script.mains) {
             const TermId term = translation_.term(main);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests proofs of confluence: they do not depend on earlier queries, and are correct for every plan (a plan says which
-// proofs a search skips).
+// Tests proofs of confluence. They do not depend on earlier queries, and are correct for every plan. A plan says which
+// proofs a search skips.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 using lts::Equivalence;
 using process::Scripted;
 
-/// Random compiled processes with their rules as rules of the whole.
+/// Random compiled processes, with rules that refer to the whole process.
 class Proofs : public testing::Test {
 protected:
     Proofs() {
@@ -39,7 +39,7 @@ protected:
         }
         return result;
     }
-    /// A random plan: for some rules no components are examined, for others additional components.
+    /// Returns a random plan. For some rules it examines no components, for others it examines additional components.
     ProofPlan some_plan() {
         ProofPlan plan;
         for (std::uint32_t rule = 0; rule < rules->rules.size(); ++rule) {

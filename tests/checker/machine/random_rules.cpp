@@ -28,7 +28,7 @@ ComponentPtr RandomRules::component(TermId meaning) {
     return std::make_shared<const Component>(rows, std::vector<TermId>(size, meaning));
 }
 
-/// Returns the level of each event; empty if the region has no priorities.
+/// Returns the level of each event, or an empty list if the region has no priorities.
 std::vector<std::uint32_t> RandomRules::levels() {
     if (chance(40)) return {};
     std::vector<std::uint32_t> result(first_visible, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random compiled processes with components, nested regions, priorities and assignments, in combinations that no script
-// produces.
+// Makes random compiled processes with components, nested regions, priorities and assignments, in combinations that no
+// script produces.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace robochart::machine {
 
-/// A random generator with a seed, identical for every compiler.
+/// A random generator whose sequence depends only on the seed, not on the compiler.
 class RandomRules {
 public:
     explicit RandomRules(std::uint64_t seed) : numbers_(seed) {}
-    /// Two to five components with up to five states, in up to three regions. The `visible` visible events start at
-    /// first_visible.
+    /// Returns a process of two to five components with up to five states each, in up to three regions. It has
+    /// `visible` visible events, which start at first_visible.
     std::shared_ptr<const Supercombinator> next(const process::TermId& meaning);
     static constexpr Event visible = 4;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reduced form of a compiled process, in which confluent taus are followed, is equivalent to the whole under
-// branching bisimilarity with explicit divergence. Tested on random processes and random rules.
+// Tests the reduced form of a compiled process, in which confluent taus are followed. It is equivalent to the whole
+// process under branching bisimilarity with explicit divergence. The tests use random processes and random rules.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -24,7 +24,7 @@ using process::Scripted;
 
 constexpr std::size_t most_states = 100'000;
 
-/// Counts of the comparisons, which show that the tests are not vacuous.
+/// Counts comparisons, so that the tests can show that they are not vacuous.
 struct Seen {
     int smaller = 0;    ///< systems whose reduction has fewer states
     int diverging = 0;  ///< of these, those with a cycle of taus
@@ -38,7 +38,7 @@ bool loops_by_tau(const Graph& quotient) {
     return false;
 }
 
-/// Checks that the reduced system is equivalent to the whole. There is no reduced system if no rule can be followed.
+/// Checks that the reduced system is equivalent to the whole. If no rule can be followed, there is no reduced system.
 bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
     const auto reduced = whole.make_reduced_system(lts::Followed::taus, diagnostics::unlimited);
     if (!reduced) return true;
@@ -79,7 +79,8 @@ bool has_deadlock(const Graph& graph) {
     return false;
 }
 
-/// If all steps are followed, the reduced system has a state without transitions iff the whole system has one.
+/// If all steps are followed, the reduced system has a state without transitions if and only if the whole system has
+/// one.
 TEST(Reduction, ForDeadlocksKeepsDeadlocksOfRandomRules) {
     const int rounds = refine::wanted_checks(static_cast<int>(tests::rounds(1'000)));
     Scripted s;
@@ -105,7 +106,8 @@ TEST(Reduction, ForDeadlocksKeepsDeadlocksOfRandomRules) {
     EXPECT_LT(smaller_with_deadlock * 10, 9 * smaller);
 }
 
-/// A verdict as text, with the trace of a violation, and with the size of the search if it must agree.
+/// Returns a verdict as text, with the trace of a violation. The text contains the size of the search if the sizes must
+/// agree.
 std::string described(const refine::Verdict& verdict, bool with_size) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     if (with_size)
@@ -143,8 +145,8 @@ refine::Limits limits_of(bool reduction, unsigned threads) {
     return limits;
 }
 
-/// Checks every model, with several threads. Counterexamples are the shortest ones of the full state space, found in
-/// the same order.
+/// Checks every model, with one thread and with several. Counterexamples are the shortest ones of the full state space,
+/// found in the same order.
 TEST(Reduction, ChangesNoAnswerAndNoRun) {
     const int rounds = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 8 + 1;
     Scripted s;
@@ -166,8 +168,8 @@ TEST(Reduction, ChangesNoAnswerAndNoRun) {
     EXPECT_LT(fails * 20, 19 * rounds);
 }
 
-/// Six processes with four hidden steps each, which then perform one event together: 5^6 states. After the reduction at
-/// most the states on one path through the hidden steps remain.
+/// Six processes perform four hidden steps each, and then one event together. They have 5^6 states. After the
+/// reduction, at most the states on one path through the hidden steps remain.
 class HiddenSteps : public testing::Test {
 protected:
     HiddenSteps() {
@@ -205,7 +207,7 @@ TEST_F(HiddenSteps, AreFollowed) {
     EXPECT_EQ(verdict.counterexample->steps.size(), 25U);
 }
 
-/// The verdict needs one state; the search for a shortest counterexample visits all states.
+/// The reduced search needs one state for the verdict. The search for a shortest counterexample visits all states.
 TEST_F(HiddenSteps, CounterexampleMayBeLongerIfALimitIsReached) {
     EXPECT_EQ(ask(false, 100).outcome, refine::Outcome::inconclusive);
     const refine::Verdict verdict = ask(true, 100);

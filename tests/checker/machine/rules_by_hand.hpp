@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled processes built rule by rule, in combinations that no script produces.
+// Builds compiled processes rule by rule, in combinations that no script produces.
 #pragma once
 
 #include <utility>
@@ -9,14 +9,14 @@
 
 namespace robochart::machine {
 
-/// A rule of a region before it has an index there: the events of the participants and the event of the region.
+/// A rule of a region before it has an index in the region: the events of the participants and the event of the region.
 struct DraftRule {
     Event event;
     std::vector<Requirement> parts;  ///< the first one leads; events are indexes into the participants' alphabets
     std::vector<Assignment> assignments;
 };
 
-/// The components in these slots perform this event together; the assignments set the states of components.
+/// The components in these slots perform this event together. The assignments set the states of components.
 struct Joint {
     Event event;
     std::vector<std::uint32_t> slots;
@@ -26,8 +26,8 @@ struct Joint {
 /// The transitions of a component: events and targets for each state.
 using Rows = std::vector<std::vector<std::pair<Event, Local>>>;
 
-/// Returns a region with these rules. `alphabets`: one for each participant. `levels`: the priority level of each
-/// event, or `no_level`; events beyond the end have no level.
+/// Returns a region with these rules. `alphabets` has one entry for each participant. `levels` contains the priority
+/// level of each event, or `no_level`. Events beyond the end of `levels` have no level.
 [[nodiscard]] Region region_of(std::vector<Participant> participants, std::vector<EventSet> alphabets,
                                std::vector<DraftRule> drafts, const std::vector<std::uint32_t>& levels);
 

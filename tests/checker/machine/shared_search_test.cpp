@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled processes searched by several threads, each with its own copy of the system.
+// Tests searches of compiled processes by several threads. Each thread has its own copy of the system.
 #include <gtest/gtest.h>
 
 #include "checker/machine/compiler.hpp"
@@ -31,7 +31,7 @@ protected:
     Compiler compiler{semantics};
 };
 
-/// Nine cells of four states: 4^9 states with nine transitions each, enough that all threads resize the table.
+/// Nine cells of four states have 4^9 states with nine transitions each, enough that all threads resize the table.
 TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
     std::vector<TermId> cells;
     for (char cell = '1'; cell <= '9'; ++cell) {
@@ -49,7 +49,7 @@ TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
     }
 }
 
-/// Hidden steps, an inner region with priorities, and a specification that one event violates.
+/// The system has hidden steps, an inner region with priorities, and a specification that one event violates.
 TEST_F(SharedSearch, FindsTheSameViolations) {
     const TermId inside = s.prioritise(
         s.over(Op::parallel, {s.cycle("P", {"a", "b", "x"}), s.cycle("Q", {"c", "b", "y"})}, {"b"}), {{"a"}, {"c"}});

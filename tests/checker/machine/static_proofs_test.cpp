@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests what the rules of a compiled process exclude (docs/search.md, "Static proofs"). Each condition has a process
-// whose answer would be wrong without it. Random rules are compared with all states.
+// Tests what can be excluded from the rules of a compiled process alone (docs/search.md, "Static proofs"). Each
+// condition has a process whose answer would be wrong without it. Answers for random rules are compared with a search
+// of all states.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ using refine::Outcome;
 
 class StaticProofs : public testing::Test {
 protected:
-    // Events of components and of rules with the same names. `a` and `h` are hidden.
+    // Names of events, which components and rules share. `a` and `h` are hidden.
     enum Name : Event { a = first_visible, b, c, h };
 
     StaticProofs() {
@@ -93,19 +94,19 @@ private:
 constexpr std::pair acyclic{Outcome::holds, DecidedBy::tau_acyclic};
 constexpr std::pair diverges{Outcome::fails, DecidedBy::search};
 
-// The component ends by a visible event what it does by hidden ones.
+// The component performs two hidden events, and then a visible one before it can repeat them.
 TEST_F(StaticProofs, HiddenEventsBetweenVisibleOnesAreOnNoCycle) {
     make({{{{a, 1}}, {{h, 2}}, {{b, 0}}}}, {{a, {0}, {}}, {h, {0}, {}}, {b, {0}, {}}});
     EXPECT_EQ(divergence_free(), acyclic);
 }
 
-// Two rules together make a cycle; neither does alone.
+// The two rules together form a cycle, but neither does alone.
 TEST_F(StaticProofs, ACycleMayUseSeveralRules) {
     make({{{{a, 1}}, {{h, 0}}}}, {{a, {0}, {}}, {h, {0}, {}}});
     EXPECT_EQ(divergence_free(), diverges);
 }
 
-// The first component can repeat the hidden event, the second one cannot.
+// The first component can repeat the hidden event, but the second one cannot.
 TEST_F(StaticProofs, EveryPartOfARuleHasToBeOnACycle) {
     make({{{{a, 0}}}, {{{a, 1}}, {{b, 0}}}}, {{a, {0, 1}, {}}, {b, {1}, {}}});
     EXPECT_EQ(divergence_free(), acyclic);
@@ -113,19 +114,19 @@ TEST_F(StaticProofs, EveryPartOfARuleHasToBeOnACycle) {
     EXPECT_EQ(divergence_free(), diverges);
 }
 
-// The third component excludes h, without which the second one excludes a.
+// Because of the third component, h is on no cycle. Without h, the second component cannot repeat a.
 TEST_F(StaticProofs, WhatIsExcludedExcludesMore) {
     make({{{{a, 0}}}, {{{a, 1}}, {{h, 0}}}, {{{h, 1}}, {{b, 0}}}}, {{a, {0, 1}, {}}, {h, {1, 2}, {}}, {b, {2}, {}}});
     EXPECT_EQ(divergence_free(), acyclic);
 }
 
-// The first component can perform a once, but the second one puts it back.
+// The first component can perform a once, but the second one resets the first.
 TEST_F(StaticProofs, ARuleThatSetsAStateIsAnEdgeFromEveryState) {
     make({{{{a, 1}}, {{b, 1}}}, {{{h, 0}}}}, {{a, {0}, {}}, {h, {1}, {{0, 0}}}, {b, {0}, {}}});
     EXPECT_EQ(divergence_free(), diverges);
 }
 
-// ... and restarts it after it was turned off.
+// The second component restarts the first one after it was turned off.
 TEST_F(StaticProofs, AComponentThatIsOffMayBeStarted) {
     make({{{{a, 0}}}, {{{a, 1}}, {{h, 0}}}}, {{a, {0, 1}, {{0, 1}}}, {h, {1}, {{0, 0}}}});
     EXPECT_EQ(divergence_free(), diverges);
@@ -139,7 +140,8 @@ TEST_F(StaticProofs, TheStateThatARuleSetsIsTheTargetOfItsEvent) {
     EXPECT_EQ(divergence_free(), acyclic);
 }
 
-// The component can repeat a, but never reaches the state in which it can: the search answers.
+// The component can repeat a in its second state, but never reaches this state. The rules do not show this, so a search
+// gives the answer.
 TEST_F(StaticProofs, TheSearchAnswersWhatTheRulesLeaveOpen) {
     make({{{{b, 0}}, {{a, 1}}}, {{{c, 0}}}}, {{a, {0}, {}}, {b, {0}, {}}, {c, {1}, {}}});
     EXPECT_EQ(divergence_free(), std::pair(Outcome::holds, DecidedBy::search));
@@ -153,7 +155,7 @@ TEST_F(StaticProofs, OneRuleForEachEventOfDeterministicComponentsIsDeterministic
     EXPECT_EQ(deterministic(), choice_free);
 }
 
-// After b by the second component c is possible, after b by the first one it is not.
+// c is possible after the second component has performed b, but not after the first one has.
 TEST_F(StaticProofs, TwoRulesWithOneEventAreAChoice) {
     make({{{{b, 1}}, {}}, {{{b, 1}}, {{c, 1}}}}, {{b, {0}, {}}, {b, {1}, {}}, {c, {1}, {}}});
     EXPECT_EQ(deterministic(), nondeterministic);
@@ -164,7 +166,7 @@ TEST_F(StaticProofs, TwoTransitionsOfAComponentWithOneEventAreAChoice) {
     EXPECT_EQ(deterministic(), nondeterministic);
 }
 
-// The hidden event takes the offer of b away.
+// After the hidden event, b is no longer offered.
 TEST_F(StaticProofs, AHiddenEventIsAChoice) {
     make({{{{a, 1}, {b, 0}}, {{c, 1}}}}, {{a, {0}, {}}, {b, {0}, {}}, {c, {0}, {}}});
     EXPECT_EQ(deterministic(), nondeterministic);
@@ -178,7 +180,7 @@ TEST_F(StaticProofs, TerminationBesideAnEventIsAChoice) {
     EXPECT_EQ(deterministic(), choice_free);
 }
 
-/// The taus between states of one component of the graph of taus.
+/// Returns the taus between states of one strong component of the graph of taus.
 std::vector<std::pair<StateIndex, StateIndex>> taus_on_cycles(const lts::Graph& graph) {
     const lts::TauComponents components = lts::tau_components(graph);
     std::vector<std::pair<StateIndex, StateIndex>> result;

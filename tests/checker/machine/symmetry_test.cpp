@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetry reduction: equal components of a compiled process are found, permutations of them are automorphisms, and the
-// reduced state space gives the same answers as the full one.
+// Tests symmetry reduction. Equal components of a compiled process are found, permutations of them are automorphisms,
+// and the reduced state space gives the same answers as the full one.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -28,7 +28,8 @@ refine::Limits limits_of(bool reduction) {
 
 class SymmetryTest : public testing::Test {
 protected:
-    /// A process that performs `own` events in turn between tocks; its number is part of their names.
+    /// Returns a process that performs `own` events in turn between tocks. Its number is part of the names of these
+    /// events.
     TermId robot(int number, int own) {
         const TermId robot = s.name("ROBOT" + std::to_string(number));
         TermId body = s.prefix("tock", robot);
@@ -52,7 +53,7 @@ protected:
     std::unique_ptr<SupercombinatorSystem> compiled(TermId term) {
         return compiler.compile(term, diagnostics::unlimited);
     }
-    /// The number of replicas in each set.
+    /// Returns the number of replicas in each set.
     std::vector<std::size_t> sets(TermId term) {
         std::vector<std::size_t> result;
         for (const lts::ReplicaSet& set : compiled(term)->replicas(diagnostics::unlimited))
@@ -60,7 +61,8 @@ protected:
         return result;
     }
 
-    /// Refinement of a process that can always do every event of n robots with k steps each. It needs every state.
+    /// Decides whether the system refines a process that can always perform every event of n robots with k steps each.
+    /// The check visits every state.
     Verdict refines_everything(lts::TransitionSystem& system, int n, int k, bool reduction) {
         const TermId any = s.name("ANY");
         std::vector<std::pair<std::string, TermId>> branches{{"tock", any}};
@@ -78,7 +80,8 @@ protected:
 
 using Sets = std::vector<std::size_t>;
 
-/// n robots with k states each share only tock. Their states are multisets of n out of k, so there are (n+k-1 over n).
+/// n robots with k states each share only tock. Their states are multisets of n elements out of k, so there are (n+k-1
+/// over n).
 TEST_F(SymmetryTest, StatesAreMultisets) {
     const auto system = compiled(swarm(6, 3));
     EXPECT_EQ(refines_everything(*system, 6, 3, false).statistics.states, 4096U);
@@ -89,7 +92,7 @@ TEST_F(SymmetryTest, StatesAreMultisets) {
     EXPECT_EQ(verdict.statistics.distinguished, 0U);
 }
 
-/// The robots of benchmarks/models/robots.csp.
+/// The robots are those of benchmarks/models/robots.csp.
 TEST_F(SymmetryTest, TwelveRobotsOfEightStates) {
     const auto system = compiled(swarm(12, 7));
     const Verdict verdict = refines_everything(*system, 12, 7, true);
@@ -117,7 +120,7 @@ TEST_F(SymmetryTest, WhatDiffersIsNoReplica) {
     EXPECT_EQ(sets(s.over(Op::parallel, watched, {event(1, 1)})), Sets{2}) << "one that another one watches";
 }
 
-/// Random tests found this case: the packed state of a component that always runs cannot represent that another
+/// Random tests found this error: the packed state of a component that always runs cannot represent that another
 /// component is off.
 TEST_F(SymmetryTest, ComponentsThatMayBeOffAreNoReplicasOfPermanentOnes) {
     const TermId never = s.over(Op::parallel, {s.stop(), s.stop()}, {});
@@ -141,7 +144,7 @@ TEST_F(SymmetryTest, WhatIsAlikeIsFoundUnderPrioritiesAndInterrupts) {
     EXPECT_EQ(sets(s.over(Op::parallel, urgent, {"tock"})), Sets{3}) << "regions of their own";
 }
 
-/// A specification that requires robot 1 before robot 2 distinguishes them; a specification that accepts any robot does
+/// A specification that requires robot 1 before robot 2 distinguishes them. A specification that accepts any robot does
 /// not.
 TEST_F(SymmetryTest, TheSpecificationMayDistinguishThem) {
     const auto system = compiled(s.over(Op::hide, {swarm(3, 1)}, {"tock"}));
@@ -180,7 +183,8 @@ TEST_F(SymmetryTest, RunsHaveEveryReplicaInItsPlace) {
     ASSERT_TRUE(reduced.counterexample);
     ASSERT_EQ(reduced.counterexample->steps.size(), 2U);
     EXPECT_EQ(whole.counterexample->steps.size(), 2U);
-    // The counterexample was already replayed: the second event of a robot follows its own first event.
+    // The counterexample was already replayed, so it only remains to check that the second event of a robot follows its
+    // own first event.
     const auto number = [&](const refine::Step& step) { return s.events.name(step.event).substr(3); };
     EXPECT_EQ(number(reduced.counterexample->steps[0]), number(reduced.counterexample->steps[1]));
 }
@@ -199,7 +203,8 @@ TEST_F(SymmetryTest, LoopsAreClosed) {
     }
 }
 
-/// Random processes in parallel with copies of themselves, with and without renaming, compared with the definitions.
+/// Random processes in parallel with copies of themselves, with and without renaming. The answers are compared with the
+/// definitions.
 class RandomReplicas : public testing::Test {
 protected:
     using Process = refine::naive::Process;
@@ -234,7 +239,7 @@ protected:
         }
     }
 
-    /// The first difference between the engine's answers and the definitions; empty if there is none.
+    /// Returns the first difference between the engine's answers and the definitions, or "" if there is none.
     std::string find_disagreement(const refine::Case& test_case, const refine::Graphs& graphs) {
         refine::Translation translation(test_case.script);
         Compiler compiler(translation.semantics());
@@ -267,7 +272,7 @@ protected:
         }
         return refine::Model::failures_divergences;
     }
-    /// `question` has no trace.
+    /// Decides a question that has no trace.
     static Verdict ask(const refine::Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right) {
         const refine::Model model = model_of(question.semantics);
         switch (question.kind) {

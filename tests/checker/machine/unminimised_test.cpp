@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of minimised components show hidden steps by the names that the process gives them.
+// Tests that runs of minimised components show hidden steps by the names that the process gives them.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -23,7 +23,7 @@ using refine::Run;
 using refine::RunStep;
 using refine::Verdict;
 
-/// A reference that has no time.
+/// A reference system whose time is over: it throws before it can answer.
 class OutOfTime final : public lts::TransitionSystem {
 public:
     explicit OutOfTime(const process::EventTable& events) : events_(events) {}
@@ -54,7 +54,7 @@ protected:
         system->set_reference(std::make_shared<OutOfTime>(s.events));
         return system;
     }
-    /// The names of the run's events; hidden ones in brackets.
+    /// Returns the names of the run's events. Names of hidden events are in parentheses.
     std::vector<std::string> names(const std::vector<refine::Step>& steps) {
         std::vector<std::string> result;
         for (const refine::Step& step : steps)
@@ -64,7 +64,8 @@ protected:
     }
 };
 
-// After x the process performs h0, and after y h1. With both hidden, the two states have the same transitions.
+// After x the process performs h0, and after y it performs h1. With both hidden, the two states have the same
+// transitions.
 TEST_F(Unminimised, HiddenStepsHaveTheirOwnNames) {
     const auto branch = [&](const char* first, const char* secret) {
         return s.prefix(first, s.prefix(secret, s.prefix("c", stop)));
@@ -83,7 +84,7 @@ TEST_F(Unminimised, HiddenStepsHaveTheirOwnNames) {
         ASSERT_EQ(verdict.outcome, refine::Outcome::fails) << verdict.reason;
         EXPECT_FALSE(verdict.counterexample->replayed_by_terms);
         EXPECT_EQ(names(verdict.counterexample->steps), (std::vector<std::string>{first, secret, "c"}));
-        // The run of the minimised components has one name for both steps.
+        // The run of the minimised components shows the same name for both steps.
         const auto minimised = system->clone_for_thread();
         const Verdict other_names = refine::refines(specification, *minimised, refine::Model::traces, {});
         shown_by_minimised.insert(names(other_names.counterexample->steps).at(1));
@@ -91,7 +92,7 @@ TEST_F(Unminimised, HiddenStepsHaveTheirOwnNames) {
     EXPECT_EQ(shown_by_minimised.size(), 1U);
 }
 
-// The tau between P and Q in P ; Q is no hidden event, as in the rules of terms.
+// The tau between P and Q in P ; Q is not a hidden event. The same holds in the firing rules of terms.
 TEST_F(Unminimised, TerminationInASequenceHasNoName) {
     const TermId both = s.over(Op::parallel, {s.skip(), s.skip()}, {});
     const auto system = compiled(s.op(Op::sequential, {both, s.prefix("c", stop)}));
@@ -102,7 +103,7 @@ TEST_F(Unminimised, TerminationInASequenceHasNoName) {
     EXPECT_EQ(verdict.counterexample->steps[0].revealed, process::tau);
 }
 
-// LOOP0 and LOOP1 perform h0 and h1 in turn. Minimised, they are one state with a loop.
+// LOOP0 and LOOP1 perform h0 and h1 in turn. After minimisation, they are one state with a loop.
 TEST_F(Unminimised, LoopsOfHiddenStepsCloseInTheProcess) {
     const TermId loop = s.cycle("LOOP", {"h0", "h1"});
     const auto system = compiled(beside(hidden(loop)));
@@ -112,8 +113,8 @@ TEST_F(Unminimised, LoopsOfHiddenStepsCloseInTheProcess) {
     EXPECT_EQ(names(verdict.counterexample->loop), (std::vector<std::string>{"(h0)", "(h1)"}));
 }
 
-/// Every transition of the finer system is one of the minimised system between the states that it represents, and
-/// bisimilarity gives the converse.
+/// Checks that every transition of the finer system corresponds to a transition of the minimised system between the
+/// states that the finer states represent. Bisimilarity gives the converse.
 void expect_same_steps(lts::FinerSystem& finer, SupercombinatorSystem& minimised) {
     const auto image = [&](lts::StateView state) {
         std::vector<lts::Word> result(finer.minimised_width());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs decomposed into the traces and offers of their components, computed by hand.
+// Tests how runs are decomposed into the traces and offers of their components. The expected results were computed by
+// hand.
 #include "checker/process/behaviour.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ TEST_F(Apart, HidingAndRenamingAreUndoneInside) {
     EXPECT_EQ(offer(inside.parts.at(1)), "c");
 }
 
-// (a -> SKIP ||| SKIP) ; b -> STOP: the first part terminates with ✓, which is a tau of the whole; then the second
+// (a -> SKIP ||| SKIP) ; b -> STOP: the first part terminates with ✓, which is a tau of the whole. Then the second part
 // starts.
 TEST_F(Apart, ASequenceHasPartsOneAfterTheOther) {
     const TermId first = s.over(Op::parallel, {s.prefix("a", s.skip()), s.skip()}, {});
@@ -109,7 +110,7 @@ TEST_F(Apart, SequentialProcessesStayWhole) {
     EXPECT_EQ(offer(whole), "a");
 }
 
-/// Compressed machines identify the states of their operand only by number, as a faster engine does.
+/// Compressed machines identify the states of their operand only by number, as a fast engine does.
 class NumberingCompressor final : public Compressor {
 public:
     std::optional<Machine> explore(TermId operand, Compression, diagnostics::Pollable&) override {
@@ -135,7 +136,7 @@ TEST_F(Apart, CompressedPartsAreNamedWithTheirState) {
     EXPECT_EQ(apart.parts.at(0).parts.at(0).name, "P");
 }
 
-// dbisim((h -> a -> b -> STOP ||| c -> STOP) \ {h}): the machine performs a; its operand performed h before it.
+// dbisim((h -> a -> b -> STOP ||| c -> STOP) \ {h}): the machine performs a. Its operand performed h before a.
 TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
     const TermId left = s.prefix("h", s.prefix("a", s.prefix("b", s.stop())));
     const TermId inside = s.over(Op::hide, {s.over(Op::parallel, {left, s.prefix("c", s.stop())}, {})}, {"h"});

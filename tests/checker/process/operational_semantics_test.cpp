@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every firing rule, on operands that are small enough to apply it by hand.
+// Tests every firing rule on operands that are small enough to apply the rule by hand.
 #include "checker/process/operational_semantics.hpp"
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ protected:
     TermId q1 = s.name("Q1");
     TermId p = s.prefix("a", p1);                         // a -> P1
     TermId q = s.prefix("b", q1);                         // b -> Q1
-    TermId tau_p = s.op(Op::internal_choice, {p, stop});  // can do tau to P or STOP
+    TermId tau_p = s.op(Op::internal_choice, {p, stop});  // performs tau to P or STOP
 
     std::vector<Move> moves(TermId term) {
         std::vector<Move> list;
@@ -37,7 +37,7 @@ protected:
             list.emplace_back(s.events.name(step.event), step.target);
         return list;
     }
-    /// The visible traces up to a length, including ✓.
+    /// Returns the visible traces up to a length, including ✓.
     std::set<std::vector<std::string>> traces(TermId term, std::size_t length) {
         std::set<std::vector<std::string>> found;
         std::set<std::pair<TermId, std::vector<std::string>>> seen;
@@ -194,7 +194,7 @@ TEST_F(Rules, AlphabetisedParallel) {
         return s.op(Op::alphabetised, {l, r}, 0, {s.set({"a", "c"}), s.set({"b", "c"})});
     };
     EXPECT_THAT(moves(both(p, q)), UnorderedElementsAre(Move{"a", both(p1, q)}, Move{"b", both(p, q1)}));
-    EXPECT_THAT(moves(both(q, p)), IsEmpty());  // outside their alphabets
+    EXPECT_THAT(moves(both(q, p)), IsEmpty());  // the events are outside the alphabets
     const TermId left = s.prefix("c", p1);
     const TermId right = s.prefix("c", q1);
     EXPECT_THAT(moves(both(left, right)), ElementsAre(Move{"c", both(p1, q1)}));
@@ -271,7 +271,7 @@ TEST_F(Rules, DeepTermsCostNoMachineStack) {
 }
 
 // With FDR's synchronising termination, a terminated operand of a parallel composition does not block time. TSKIP =
-// SKIP [] tock -> TSKIP etc. follow the rewriting of timed sections (semantics 3.10).
+// SKIP [] tock -> TSKIP and the other definitions follow the rewriting of timed sections (semantics 3.10).
 TEST_F(Rules, TimeGoesOnAfterOneSideOfAnInterleavingHasEnded) {
     const TermId tskip = s.name("TSKIP");
     s.bind(tskip, s.op(Op::external_choice, {skip, s.prefix("tock", tskip)}));

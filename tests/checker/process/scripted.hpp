@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small implementation of Definitions for tests, with prefixes and named processes built by hand.
+// Implements Definitions for tests, with prefixes and named processes that are built by hand.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ public:
         return store.intern_set(members);
     }
 
-    /// Declares a name; bind() defines its body.
+    /// Declares a named process, whose body bind() defines.
     TermId name(const std::string& text) {
         names_.push_back(text);
         bodies_.push_back(TermId{0});
@@ -34,7 +34,7 @@ public:
     void bind(TermId named, TermId body) { bodies_[store[named].payload] = body; }
 
     TermId prefix(const std::string& event_name, TermId target) { return menu({{event_name, target}}); }
-    /// A prefix with several branches.
+    /// Returns a prefix with several branches.
     TermId menu(const std::vector<std::pair<std::string, TermId>>& branches) {
         std::vector<Branch> list;
         for (const auto& [event_name, target] : branches) list.push_back({event(event_name), target});
@@ -45,7 +45,7 @@ public:
         return op(Op::prefix, {}, static_cast<std::uint32_t>(prefixes_.size() - 1));
     }
 
-    /// Performs the events in turn, repeatedly.
+    /// Returns a process that performs the events in turn, repeatedly.
     TermId cycle(const std::string& named, const std::vector<std::string>& event_names) {
         const TermId again = name(named);
         TermId rest = again;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests hash-consing: equal terms, events, sets, renamings and orders are stored once.
+// Tests hash-consing: each term, event, set, renaming and order is stored only once.
 #include "checker/process/term.hpp"
 
 #include <gtest/gtest.h>

@@ -49,7 +49,7 @@ bool Behaviour::state_refuses(int state, unsigned set) const {
             offered |= bit_of(edge.letter);
     }
     if ((offered & bit_of(tick)) != 0)
-        return (set & bit_of(tick)) == 0;  // it may terminate, and then refuses all but tick
+        return (set & bit_of(tick)) == 0;  // a state that may terminate can refuse all but tick
     return !has_tau && (set & offered) == 0;
 }
 
@@ -60,7 +60,7 @@ bool Behaviour::can_refuse(const States& states, unsigned set) const {
 }
 
 bool Behaviour::diverges(const States& states) const {
-    // The greatest set of states in which every state has a tau within the set.
+    // The greatest set of states in which every state has a tau to a state of the set.
     States endless = closed(states);
     for (bool shrank = true; shrank;) {
         shrank = false;
@@ -76,8 +76,8 @@ bool Behaviour::diverges(const States& states) const {
 
 namespace {
 
-/// Calls `visit` with the set of states after every trace, once per set. If it returns false, longer traces are
-/// skipped.
+/// Calls `visit` with the set of states after every trace, once for each set. If `visit` returns false, longer traces
+/// are skipped.
 void for_all_traces(const Behaviour& process, const std::function<bool(const Behaviour::States&)>& visit) {
     std::set<Behaviour::States> seen;
     std::deque<Behaviour::States> work{process.initially()};
@@ -168,7 +168,7 @@ std::optional<std::size_t> shortest_violation(const Behaviour& specification, co
             }
         }
         if (forbidden) {
-            // A refusal found with the same length is not shorter, because the number of steps is the same.
+            // A refusal in the next level would not be shorter, because it has the same number of steps.
             return steps + 1;
         }
         level.swap(next);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A second checker that follows the definitions: firing rules on trees, an explicit graph, subset construction by
-// traces, and enumeration of refusal sets. It shares no code with the engine. It is for small processes over few
-// letters.
+// Decides questions in a second way, which follows the definitions: firing rules on trees, an explicit graph, subset
+// construction by traces, and enumeration of refusal sets. This checker shares no code with the engine. It is for small
+// processes over few letters.
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@ struct Graph {
     std::vector<std::vector<Edge>> edges;  ///< state 0 is the initial one
 };
 
-/// Returns nullopt if there are more states, or larger ones, than a test can use.
+/// Returns nullopt if the process has too many states, or states that are too large, for a test.
 std::optional<Graph> explore(const Script& script, const Process& process, std::size_t limit);
 
 enum class Semantics { T, F, FD };
@@ -34,8 +34,8 @@ public:
     using States = std::set<int>;
     [[nodiscard]] States initially() const { return closed({0}); }
     [[nodiscard]] States after(const States& states, Letter letter) const;
-    /// Whether some of the states can refuse every letter of the set. The set is given as bits: bit 0 is tick, bit 1+l
-    /// is the letter l.
+    /// Returns whether some of the states can refuse every letter of the set. Bit 0 of the set is tick, and bit 1+l is
+    /// the letter l.
     [[nodiscard]] bool can_refuse(const States& states, unsigned set) const;
     [[nodiscard]] bool diverges(const States& states) const;
     [[nodiscard]] unsigned refusal_sets() const { return 1U << (letters_ + 1); }
@@ -56,7 +56,7 @@ bool deadlock_free(const Behaviour& process, Semantics semantics);
 bool divergence_free(const Behaviour& process);
 bool deterministic(const Behaviour& process, Semantics semantics);
 bool has_trace(const Behaviour& process, const std::vector<Letter>& trace);
-/// The minimal number of steps, taus included, of a run that violates refinement in T or F.
+/// Returns the minimal number of steps, taus included, of a run that violates refinement in T or F.
 std::optional<std::size_t> shortest_violation(const Behaviour& specification, const Behaviour& implementation,
                                               Semantics semantics);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An independent implementation of the firing rules on trees, with one short function for each rule, and of the
-// resulting graph.
+// Implements the firing rules on trees independently, with one short function for each rule, and explores the resulting
+// graph.
 #include <algorithm>
 #include <deque>
 
@@ -28,7 +28,7 @@ class Rules {
 public:
     explicit Rules(const Script& script) : script_(script) {}
 
-    /// Moves in the order in which chase chooses: taus first, then by letter, then by operand.
+    /// Returns the moves in the order in which chase chooses: taus first, then by letter, then by operand.
     Moves moves(const Process& p) const {
         Moves result = fire(p);
         const auto rank = [](Letter letter) {
@@ -229,8 +229,8 @@ private:
         }
         return result;
     }
-    /// A linked event of one side occurs only together with its partner of the other side, and is hidden. Other events
-    /// are independent.
+    /// Returns the moves of two linked operands. A linked event of one operand occurs only together with its partner of
+    /// the other operand, and is hidden. Other events are independent.
     Moves linked(const Process& p) const {
         const Moves left = moves(p->operands[0]);
         const Moves right = moves(p->operands[1]);
@@ -281,8 +281,8 @@ private:
         };
         return level(high) >= 0 && level(low) >= 0 && level(high) < level(low);
     }
-    /// prioritisepo: `high` is above `low` by a chain of pairs. Tau and tick are above all events in the order except
-    /// the maximal ones.
+    /// Returns whether prioritisepo puts `high` above `low`, by a chain of pairs. Tau and tick are above all events in
+    /// the order except the maximal ones.
     static bool above_in_order(const Process& p, Letter high, Letter low) {
         std::set<Letter> lower{high};
         for (std::size_t round = 0; round <= p->renaming.size(); ++round)

@@ -48,7 +48,7 @@ std::string pairs(const Process& process, const char* pattern) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Parallel composition is not associative in CSPM: three operands need the replicated form.
+/// Prints the replicated form, because parallel composition of three operands is not associative in CSPM.
 std::string replicated(const Process& process) {
     return fmt::format("([|{}|] i:{{0..2}} @ (if i == 0 then {} else if i == 1 then {} else {}))",
                        letters(process->set), show(process->operands[0]), show(process->operands[1]),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test processes as plain trees. They are input for the checker, as terms or as CSPM text, and for the naive reference.
+// Represents test processes as plain trees. They are input for the checker, as terms or as CSPM text, and for the naive
+// reference.
 #pragma once
 
 #include <memory>
@@ -55,7 +56,7 @@ struct Tree {
     int name = 0;                                     ///< call: the definition; compress: the compression
 };
 
-/// Named processes; main may call them.
+/// Named processes, and main processes that may call them.
 struct Script {
     std::vector<Process> definitions;
     std::vector<Process> mains;
@@ -63,7 +64,7 @@ struct Script {
 
 /// Prints the process as CSPM. CSPM cannot express OMEGA, the state after termination.
 std::string show(const Process& process);
-/// A whole script in CSPM: the main processes are M0, M1 ...
+/// Prints the script as CSPM. The main processes are M0, M1 ...
 std::string show(const Script& script);
 
 }  // namespace robochart::refine::naive

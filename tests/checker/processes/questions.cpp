@@ -57,10 +57,10 @@ Process change_tree(const Process& process, const std::function<void(Tree&)>& ch
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// All processes in which one operand is replaced by a smaller one.
+/// Adds all processes in which one operand is replaced by a smaller one.
 void smaller_operands(const Process& process, std::vector<Process>& out);
 
-/// All processes that are one step smaller.
+/// Returns all processes that are one step smaller.
 std::vector<Process> smaller(const Process& process) {
     std::vector<Process> result;
     const Process stop = std::make_shared<const Tree>();
@@ -91,7 +91,7 @@ void smaller_operands(const Process& process, std::vector<Process>& out) {
             out.push_back(change_tree(process, [&](Tree& tree) { tree.operands[i] = next; }));
 }
 
-/// Whether every recursion is guarded by an event. Shrinking must not produce unguarded recursion, which has no
+/// Returns whether every recursion is guarded by an event. Shrinking must not produce unguarded recursion, which has no
 /// meaning.
 bool guarded(const Process& process) {
     if (process->kind == Kind::call) return false;

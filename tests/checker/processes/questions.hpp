@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The questions that the random tests ask about a pair of processes, M0 and M1, with the answers by definition.
+// Lists the questions that the random tests ask about a pair of processes, M0 and M1, with the answers by definition.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct Question {
     int right = 0;
 };
 
-/// All questions, in a fixed order.
+/// Returns all questions, in a fixed order.
 [[nodiscard]] const std::vector<Question>& questions();
 
 /// A script with two main processes, and the trace for the trace questions.
@@ -27,19 +27,19 @@ struct Case {
     std::vector<naive::Letter> trace;
 };
 
-/// "[T=", "deadlock free" and so on: the kind of the question.
+/// Returns the kind of the question: "[T=", "deadlock free" and so on.
 [[nodiscard]] std::string assertion_kind(const Question& question);
-/// The question as an assertion about M0 and M1.
+/// Returns the question as an assertion about M0 and M1.
 [[nodiscard]] std::string assertion(const Question& question, const std::vector<naive::Letter>& trace);
-/// The case as a script with all its assertions, in the order of questions().
+/// Returns the case as a script with all its assertions, in the order of questions().
 [[nodiscard]] std::string script_with_assertions(const Case& test_case);
 
-/// The two graphs of a case; nullopt if they are larger than a test can use.
+/// The two graphs of a case. `graphs_of` returns nullopt if they are larger than a test can use.
 struct Graphs {
     naive::Graph graphs[2];
 };
 [[nodiscard]] std::optional<Graphs> explore(const Case& test_case, std::size_t largest);
-/// The answer by definition.
+/// Returns the answer by definition.
 [[nodiscard]] bool expected(const Question& question, const Graphs& graphs, const std::vector<naive::Letter>& trace);
 
 /// Shrinks a case as long as it still fails: replaces processes by their operands or by STOP, and removes elements from
@@ -47,7 +47,7 @@ struct Graphs {
 template <class Fails>
 [[nodiscard]] Case shrink(Case failing, const Fails& fails);
 
-/// All cases that are one step smaller, the smallest first.
+/// Returns all cases that are one step smaller, the smallest first.
 [[nodiscard]] std::vector<Case> smaller(const Case& test_case);
 
 template <class Fails>

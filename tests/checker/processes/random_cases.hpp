@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sequence of random cases that depends only on the seed, not on the compiler. The seed and the number of checks come
-// from the environment (docs/testing.md).
+// Generates a sequence of random cases that depends only on the seed, not on the compiler. The seed and the number of
+// checks come from the environment (docs/testing.md).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ inline constexpr std::size_t largest_graph = 120;
 
 class RandomCases {
 public:
-    /// `purpose` gives different tests different sequences.
+    /// Tests with different values of `purpose` get different sequences.
     explicit RandomCases(std::uint64_t purpose);
 
     /// A case that is small enough for the naive checker, with its graphs.
@@ -29,9 +29,9 @@ private:
     std::mt19937_64 numbers_;
 };
 
-/// ROBOCHART_RANDOM_CHECKS, or `otherwise` if it is not set.
+/// Returns ROBOCHART_RANDOM_CHECKS, or `otherwise` if it is not set.
 [[nodiscard]] int wanted_checks(int otherwise);
-/// ROBOCHART_RANDOM_SCRIPTS, or `otherwise` if it is not set.
+/// Returns ROBOCHART_RANDOM_SCRIPTS, or `otherwise` if it is not set.
 [[nodiscard]] int wanted_scripts(int otherwise);
 
 }  // namespace robochart::refine

@@ -71,7 +71,7 @@ Process Decoder::prefix(int depth) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// One mode of a machine: some events keep the mode or lead to another one, and one event starts components.
+/// Returns one mode of a machine: some events keep the mode or lead to another one, and one event starts components.
 Process Decoder::make_mode(int depth) {
     const auto lead = [&](Process to) {
         Tree tree{Kind::prefix, {std::move(to)}, {make_letter()}, {}, {}, {}, 0};
@@ -133,7 +133,7 @@ Process Decoder::with_levels(Kind kind, std::vector<Process> operands, unsigned 
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// The renaming may map several letters to one, and one letter to several.
+/// Returns a renaming, which may map several letters to one, and one letter to several.
 Process Decoder::renamed(int depth) {
     Tree tree{Kind::rename, {composite(depth - 1)}, {}, {}, {}, {}, 0};
     for (unsigned pairs = 1 + take_below(3); pairs > 0; --pairs) {
@@ -143,7 +143,7 @@ Process Decoder::renamed(int depth) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// Links each letter at most once on each side: FDR rejects other links.
+/// Links each letter at most once on each side, because FDR rejects other links.
 Process Decoder::linked(int depth) {
     Tree tree{Kind::linked, {composite(depth - 1), composite(depth - 1)}, {}, {}, {}, {}, 0};
     tree.renaming.emplace_back(make_letter(), make_letter());
@@ -152,7 +152,7 @@ Process Decoder::linked(int depth) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// An acyclic order with maximal events that are below no other event, as prioritisepo requires.
+/// Returns an acyclic order. Its maximal events are below no other event, as prioritisepo requires.
 Process Decoder::make_ordered(int depth) {
     Tree tree{Kind::prioritise_order, {composite(depth - 1)}, {}, {0, 1, 2}, {}, {}, 0};
     const Letter first = make_letter();
@@ -170,7 +170,7 @@ Process Decoder::make_ordered(int depth) {
 Process Decoder::compressed(Process operand) {
     constexpr int deter = 8;
     Tree tree{Kind::compress, {std::move(operand)}, {}, {}, {}, {}, static_cast<int>(take_below(9))};
-    if (tree.name == deter) tree.name = deter + 1;  // FDR's deter is not supported: it may change the meaning
+    if (tree.name == deter) tree.name = deter + 1;  // FDR's deter is not supported, because it may change the meaning
     return std::make_shared<const Tree>(std::move(tree));
 }
 

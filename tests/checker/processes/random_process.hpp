@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates processes from lists of numbers. A random list gives a random process over all operators; a shorter list or
-// smaller numbers give a simpler one. So shrinking the list shrinks the process.
+// Generates processes from lists of numbers. A random list gives a random process over all operators. A shorter list or
+// smaller numbers give a simpler process, so shrinking the list shrinks the process.
 #pragma once
 
 #include <vector>
@@ -15,19 +15,20 @@ class Decoder {
 public:
     explicit Decoder(const std::vector<unsigned>& numbers) : numbers_(numbers) {}
 
-    /// Two named sequential processes with recursion, and main processes that use them.
+    /// Returns two named sequential processes with recursion, and main processes that use them.
     Script script(int mains);
 
 private:
     unsigned take_below(unsigned below);
     Letter make_letter() { return static_cast<Letter>(take_below(letters_used)); }
     std::set<Letter> set();
-    /// A process in which calls occur only in tail position, so that recursion stays finite-state. `guarded`: calls
-    /// occur only after an event.
+    /// Returns a process in which calls occur only in tail position, so that recursion has finitely many states. If
+    /// `guarded`, calls occur only after an event.
     Process sequential(int depth, bool guarded);
     Process sequential_leaf(bool guarded);
     Process prefix(int depth);
-    /// A process without calls. It is one mode of a machine with several modes that lead to parallel components.
+    /// Returns a process without calls. It is one mode of a machine with several modes that lead to parallel
+    /// components.
     Process make_mode(int depth);
     Process closed(int depth);
     Process static_leaf();

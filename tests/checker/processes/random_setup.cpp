@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Uses the same random cases in every run, unless RC_PARAMS is set (a nightly run: more cases and a new seed).
+// Makes every run use the same random cases, unless RC_PARAMS is set. A nightly run sets it to test more cases with a
+// new seed.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

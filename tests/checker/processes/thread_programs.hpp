@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulates programs that share a search, each with several threads, by threads of one program. docs/scale.md describes
-// the version with MPI.
+// Simulates several programs with several threads each that share a search. The threads of one program play these
+// programs. docs/scale.md describes the version with MPI.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace robochart::refine {
 
-/// Calls `work` as a rank in this many programs with this many threads each.
+/// Calls `work` as each rank of this many programs with this many threads each.
 void as_programs(unsigned programs, unsigned threads, const std::function<void(Exchange&)>& work);
 
-/// Rows are in memory. A system that supports only one thread is searched by one thread.
+/// Searches with rows in memory. If a system supports only one thread, one thread searches it.
 class ThreadPrograms final : public LevelStrategy {
 public:
     ThreadPrograms(unsigned programs, unsigned threads) : programs_(programs), threads_(threads) {}

@@ -126,7 +126,7 @@ TermId Translation::composite(const naive::Tree& tree, std::vector<TermId> opera
     }
 }
 
-/// Both ends of a link are renamed to a new event, on which the two operands synchronise and which is hidden.
+/// Renames both ends of a link to a new event. The two operands synchronise on this event, which is hidden.
 TermId Translation::linked(const naive::Tree& tree, const std::vector<TermId>& operands) {
     process::Renaming left;
     process::Renaming right;

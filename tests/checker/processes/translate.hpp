@@ -11,10 +11,10 @@
 
 namespace robochart::refine {
 
-/// A script in its own term store.
+/// A script, translated into its own term store.
 class Translation {
 public:
-    /// If `compressing` is set, compressions are carried out; otherwise they are replaced by their operands.
+    /// If `compressing` is set, compressions are carried out. Otherwise they are replaced by their operands.
     explicit Translation(const naive::Script& script, bool compressing = false);
     process::TermSystem system(const naive::Process& process) { return {semantics_, term(process)}; }
     process::TermId term(const naive::Process& process);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts as texts, so that tests can compare two searches.
+// Prints verdicts, so that tests can compare two searches.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace robochart::refine {
 
-/// The complete verdict: outcome, reason, figures, and for a counterexample its kind and every step with its state.
+/// Returns the complete verdict as text: outcome, reason, figures, and for a counterexample its kind and every step
+/// with its state.
 [[nodiscard]] std::string complete_text(const Verdict& verdict);
 
 }  // namespace robochart::refine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An exchange that simulates an error of one rank during a collective operation.
+// Simulates an error of one rank during a collective operation.
 #pragma once
 
 #include <chrono>
@@ -12,12 +12,12 @@
 
 namespace robochart::ranks {
 
-/// Forwards all calls to another exchange. At the call with the given number it throws before the other ranks receive
-/// its message, or sleeps for three seconds.
+/// Forwards all calls to another exchange. At the call with the given number, it either throws before the other ranks
+/// receive its message, or sleeps for three seconds.
 class FaultyExchange final : public refine::Exchange {
 public:
     enum class Fault { error, memory, sleep };
-    /// `call`: the number of the failing call, from 0.
+    /// `call` is the number of the failing call, from 0.
     FaultyExchange(refine::Exchange& real, std::uint64_t call, Fault fault) : real_(real), left_(call), fault_(fault) {}
 
     [[nodiscard]] unsigned rank() const override { return real_.rank(); }
@@ -39,7 +39,7 @@ public:
         real_.broadcast(bytes);
     }
     [[nodiscard]] bool has_failed() const { return failed_; }
-    /// The number of calls before the failing one.
+    /// Returns how many calls remain before the failing one.
     [[nodiscard]] std::uint64_t calls_left() const { return left_; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests searches by programs with several threads each: if one thread fails, all threads of all programs end.
+// Tests searches by programs with several threads each. If one thread fails, all threads of all programs end.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,8 +17,8 @@ using refine::LevelQuestion;
 using refine::Violation;
 using refine::ViolationKind;
 
-/// A binary tree of seven states. Its leaves return to the root by `back`, or have no transitions if there is no such
-/// event.
+/// Returns a binary tree of seven states. Its leaves return to the root by `back`, or have no transitions if there is
+/// no such event.
 lts::Graph tree(std::optional<process::Event> back) {
     lts::Graph graph;
     for (std::uint32_t state = 0; state < 7; ++state) {
@@ -31,7 +31,7 @@ lts::Graph tree(std::optional<process::Event> back) {
 }
 
 /// The result of a search by two programs with two threads, in which the exchange of one thread fails at the given
-/// call. It states whether the call was reached, and how many threads ended with an answer.
+/// call. It says whether the call was reached, and how many threads ended with an answer.
 struct Ended {
     std::optional<Violation> found;
     bool failed = false, threw = false;
@@ -108,7 +108,7 @@ TEST_F(FaultyThreads, EndAllWhereADivergenceIsFound) {
     fail_everywhere(tree(process::tau), ViolationKind::divergence);
 }
 
-/// A system that can be copied once, for the test whether copies are possible, but not again.
+/// A system that can be copied only once. This copy shows that copies are possible, but later attempts to copy fail.
 class OnceMore final : public lts::TransitionSystem {
 public:
     OnceMore(const lts::Graph& graph, const process::EventTable& events) : graph_(graph), system_(graph, events) {}
@@ -128,7 +128,7 @@ private:
     mutable std::atomic<bool> asked_{false};
 };
 
-/// All threads learn of the error, so that they can start another search.
+/// All threads learn of the error, so they can start another search.
 TEST_F(FaultyThreads, LeaveTogetherWhereAThreadHasNoSystem) {
     const lts::Graph graph = tree(process::Event{5});
     const process::EventTable events;

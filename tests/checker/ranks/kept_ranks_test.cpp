@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches by ranks in separate programs whose rows are stored in a folder. They are stopped and resumed by other
-// numbers of ranks, and by threads of one program. Some ranks cannot write, or see another folder.
+// Tests searches by ranks in separate programs whose rows are stored in a folder. Other numbers of ranks, and threads
+// of one program, stop and resume the searches. Some ranks cannot write, or see another folder.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ protected:
             all.push_back(s_.cycle("C" + std::string(cell), events));
         }
         cells_ = compiler_.compile(s_.over(Op::parallel, all, {}), diagnostics::unlimited);
-        // A specification that forbids an event that six cells can perform after a dozen steps.
+        // A specification that forbids an event. Six cells can perform the event after a dozen steps.
         TermId few = s_.stop();
         for (int step = 0; step < 12; ++step) {
             std::vector<std::pair<std::string, TermId>> branches;
@@ -65,7 +65,7 @@ protected:
 
     [[nodiscard]] std::string checkpoint_folder() const { return folder_.path() + "/kept"; }
     [[nodiscard]] bool checkpoint_exists() const { return fs::exists(checkpoint_folder() + "/questions"); }
-    /// The folder of the current search.
+    /// Returns the folder of the current search.
     [[nodiscard]] std::string search() const {
         for (const auto& entry : fs::directory_iterator(checkpoint_folder()))
             if (entry.path().filename().string().starts_with("search-")) return entry.path().string();
@@ -111,7 +111,7 @@ protected:
         refine::ThreadRanks strategy(1);
         return decide(strategy, 1'000'000);
     }
-    /// Decides with programs that know only what they receive; `count` ranks in all.
+    /// Decides the questions with programs that know only what they receive. There are `count` ranks in all.
     Answers by_ranks(unsigned count, bool disk, std::uint64_t most_states = 1'000'000, unsigned threads = 1) {
         Answers answers;
         refine::as_ranks(count, [&](refine::Exchange& exchange) {
@@ -159,7 +159,7 @@ TEST_F(KeptRanks, GoOnFromWhatOtherNumbersOfRanksHaveKept) {
     EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
 }
 
-// A folder exists at the path where one of the ranks wants to write its part of the next checkpoint.
+// The path at which a rank wants to write its part of the next checkpoint is already a folder.
 TEST_F(KeptRanks, LeaveTheSearchTogetherWhereOneCannotWrite) {
     const Answers expected = in_memory();
     (void)by_ranks(2, false, 500);
@@ -220,7 +220,7 @@ TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
     EXPECT_EQ(by_ranks(2, false), expected);
 }
 
-// A rank runs out of memory during an exchange and saves its part alone. The others write nothing more.
+// A rank runs out of memory during an exchange and saves its part alone. The other ranks write nothing more.
 TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
     const Answers expected = in_memory();
     for (const unsigned failing : {0U, 1U}) {
@@ -240,7 +240,7 @@ TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
     EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
 }
 
-// Ranks of a run whose first rank was killed may continue to write for a moment.
+// If the first rank of a run is killed, the other ranks may continue to write for a moment.
 TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
     const Answers expected = in_memory();
     (void)by_ranks(2, false, 500);
@@ -258,7 +258,7 @@ TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
     EXPECT_EQ(by_ranks(2, false), expected);
 }
 
-// One rank fails alone during the last checkpoint. The others wait for it, and it knows this.
+// One rank fails alone during the last checkpoint. It knows that the other ranks wait for it.
 TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
     const auto stop_at = [&](std::uint64_t call, std::uint64_t& left) {
         bool failed = false;
@@ -324,8 +324,8 @@ private:
     std::function<void()> late_;
 };
 
-// The first rank may remove the folder of a finished search, or start another search in it, so all ranks must have
-// released it.
+// After a search, the first rank may remove the folder or start another search in it. So all ranks must have released
+// the folder.
 TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
     const auto late = [] { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
     for (const std::uint64_t most_states : {50U, 300U})
@@ -362,10 +362,10 @@ TEST_F(KeptRanks, AreNotKilledWhileTheyWaitAfterALimit) {
     };
     refine::as_ranks(2, [&](refine::Exchange& real) {
         int calls = 0;
-        // The other rank is busy, at a time when all ranks have stored some levels.
+        // Keeps the other rank busy at a time when all ranks have stored some levels.
         const auto at_work = [&] {
             if (++calls != 30) return;
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it leaves the previous call
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the first rank leaves the previous call
             const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
             while (held == 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
             EXPECT_GT(held, 0) << "the first rank could be ended by force";

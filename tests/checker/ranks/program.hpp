@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The identity of the programs in the tests of ranks.
+// Identifies the programs in the tests of ranks.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests searches by several programs, all but the first of which know only what they receive. Such searches must give
+// Tests searches by several programs, all but the first of which know only what they receive. The searches must give
 // the same answers, figures and counterexamples as one rank.
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ TEST(ServedRanks, AnswerAsOneRankDoes) {
 
 class Cells : public testing::Test {
 protected:
-    /// Equal cells of four states; the events of each cell have other names.
+    /// Returns equal cells of four states. The events of each cell have different names.
     TermId cells(int count = 6) {
         std::vector<TermId> all;
         for (int cell = 0; cell < count; ++cell) {
@@ -104,7 +104,7 @@ protected:
     machine::Compiler compiler{semantics};
 };
 
-/// There are 84 multisets of six elements from four, instead of 4096 states. The specification allows every event.
+/// Instead of 4096 states there are 84 multisets of six elements from four. The specification allows every event.
 TEST_F(Cells, AreFoldedAtEachRank) {
     const auto system = compiler.compile(cells(), diagnostics::unlimited);
     const TermId any = s.name("ANY");
@@ -151,8 +151,8 @@ TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
     });
 }
 
-/// All programs end, independently of the failing program and the failing call. The first program knows that the others
-/// wait for it, and starts no further search.
+/// All programs end, whichever program fails at whichever call. The first program knows that the others wait for it,
+/// and starts no further search.
 TEST_F(Cells, EndTogetherWhateverProgramFails) {
     const auto system = compiler.compile(cells(2), diagnostics::unlimited);
     for (const unsigned round : {0U, 1U, 2U, 3U})
@@ -263,7 +263,7 @@ TEST(Transfer, HasTheTimeThatIsLeft) {
     }
 }
 
-// Another build may have a different row format. So no search starts, and all programs know the reason.
+// Another build may have a different row format, so no search starts, and all programs know the reason.
 TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
     const auto system = compiler.compile(cells(), diagnostics::unlimited);
     for (const unsigned threads : {1U, 2U})
@@ -284,7 +284,7 @@ TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
         });
 }
 
-/// The exchange of a rank that runs out of memory in a sum, unknown to the others.
+/// The exchange of a rank that runs out of memory in a sum. The other ranks do not learn of this.
 class ShortOfMemory final : public refine::Exchange {
 public:
     [[nodiscard]] unsigned rank() const override { return 1; }
@@ -301,7 +301,7 @@ private:
     bool served_ = false;
 };
 
-// A rank must not ignore an error that the others do not learn of, because they wait for this rank.
+// If other ranks wait for a rank and cannot learn of its error, the rank must not ignore the error.
 TEST(Transfer, AnErrorThatOthersDoNotHearOfEndsTheRank) {
     ShortOfMemory exchange;
     EXPECT_THROW(serve_searches(exchange, program), std::bad_alloc);

@@ -26,7 +26,7 @@ namespace {
 using naive::Behaviour;
 using naive::Semantics;
 
-/// Counts of each answer, which show that the test is not vacuous.
+/// Counts each answer, so that the test can show that it is not vacuous.
 struct Seen {
     int checks = 0;
     int holds = 0;
@@ -59,7 +59,7 @@ std::string way_text(const Way& way) {
     return result + (way.disk ? ", on disk" : "") + ", ranks: " + std::to_string(way.ranks);
 }
 
-/// A sequence of ways that depends only on the seed, not on the compiler.
+/// A sequence of ways to answer that depends only on the seed, not on the compiler.
 class RandomWays {
 public:
     explicit RandomWays(std::uint64_t seed) : numbers_(seed) {}
@@ -85,7 +85,7 @@ private:
     std::mt19937_64 numbers_;
 };
 
-/// A system that supports the reductions of these ways.
+/// A system that supports the reductions of all ways to answer.
 class Reducible final : public lts::TransitionSystem {
 public:
     Reducible(std::unique_ptr<lts::TransitionSystem> inner, bool taus, bool symmetry)
@@ -123,7 +123,7 @@ private:
     bool taus_, symmetry_;
 };
 
-/// Puts the second process in parallel with itself to create replicas. (The seed decides how they are linked.)
+/// Puts the second process in parallel with itself to create replicas. The seed decides how they are linked.
 void double_process(Case& test_case, RandomWays& numbers) {
     naive::Tree both;
     both.kind = naive::Kind::parallel;
@@ -146,7 +146,7 @@ bool contains_kind(const naive::Script& script, naive::Kind kind) {
     return somewhere(script.definitions) || somewhere(script.mains);
 }
 
-/// A compression may change which tau `chase` follows.
+/// Returns whether the script has compressions but no `chase`, because a compression may change which tau it follows.
 bool compressible(const naive::Script& script) {
     return !contains_kind(script, naive::Kind::chase) && contains_kind(script, naive::Kind::compress);
 }
@@ -173,14 +173,14 @@ Verdict ask(const Question& question, lts::TransitionSystem& left, lts::Transiti
     return {};
 }
 
-/// A case with its systems in all forms, created when they are needed.
+/// A case with its systems in all forms. A system is created when it is needed.
 class Systems {
 public:
     explicit Systems(const Case& test_case)
         : asked_(test_case), plain_(test_case.script), compressing_(test_case.script, true) {}
 
     Translation& translation(Way::Form form) { return form == Way::Form::compressing_terms ? compressing_ : plain_; }
-    /// The system of the main process with this number. A process that is not compiled stays a term.
+    /// Returns the system of the main process with this number. A process that is not compiled stays a term.
     std::unique_ptr<lts::TransitionSystem> system(int main, const Way& way) {
         const naive::Process& process = asked_.script.mains[static_cast<std::size_t>(main)];
         if (way.form == Way::Form::machines)
@@ -216,7 +216,7 @@ class Agreement : public testing::Test {
 protected:
     Limits limits_of(const Way& way);
     Verdict ask_by(Systems& systems, const Question& question, const Case& test_case, const Way& way);
-    /// Returns the difference between the answer in this way and the expected one, if there is any.
+    /// Returns the difference between the answer in this way and the expected answer, if there is any.
     std::optional<std::string> fault(Systems& systems, const Question& question, const Case& test_case,
                                      const Graphs& graphs, const Way& way);
     bool check_agreement(Systems& systems, const Question& question, const Case& test_case, const Graphs& graphs,
@@ -227,7 +227,7 @@ protected:
     std::map<std::string, Seen> seen_;
     std::map<std::string, int> ways_;
     int checks_ = 0;
-    int compared_ = 0;  ///< compared in size with the search of all states in memory by one thread
+    int compared_ = 0;  ///< searches compared in size with one of all states in memory by one thread
     int smaller_ = 0;   ///< searches with fewer states
     int by_symmetry_ = 0;
     int compiled_ = 0;
@@ -277,7 +277,7 @@ std::optional<std::string> Agreement::fault(Systems& systems, const Question& qu
     const Statistics all = ask_by(systems, question, test_case, whole).statistics;
     const Statistics& actual = verdict.statistics;
     ++compared_;
-    // Determinism needs several searches, and later ones depend on the result of the first.
+    // Determinism needs several searches. Later searches depend on the result of the first.
     if (actual.states > all.states && question.kind != Question::Kind::deterministic)
         return "has more states than there are";
     if (actual.states < all.states) ++smaller_;
@@ -287,7 +287,7 @@ std::optional<std::string> Agreement::fault(Systems& systems, const Question& qu
     return std::nullopt;
 }
 
-/// If the engine is wrong, shrinks and prints the case.
+/// Decides one question. If the engine is wrong, shrinks and prints the case.
 bool Agreement::check_agreement(Systems& systems, const Question& question, const Case& test_case, const Graphs& graphs,
                                 const Way& way) {
     if (!fault(systems, question, test_case, graphs, way)) return true;
@@ -346,7 +346,7 @@ TEST_F(Agreement, OnRandomProcesses) {
     EXPECT_GT(compiled_ * 15, left_as_terms_) << "too few processes were compiled: " << compiled_;
 }
 
-// A checker that confuses external with internal choice is detected, by a minimal case.
+// The test detects a checker that confuses external with internal choice, and shows it by a minimal case.
 TEST_F(Agreement, AFaultIsFoundAndShrunk) {
     const std::function<naive::Process(const naive::Process&)> confused = [&](const naive::Process& process) {
         naive::Tree tree = *process;
@@ -369,7 +369,7 @@ TEST_F(Agreement, AFaultIsFoundAndShrunk) {
     Case found = cases.next().test_case;
     while (!wrong(found)) found = cases.next().test_case;
     const Case least = shrink(found, wrong);
-    // M0 = STOP, M1 = a choice of two different leaves, or a smaller process.
+    // M0 is STOP. M1 is a choice of two different leaves, or a smaller process.
     EXPECT_TRUE(contains_kind(least.script, naive::Kind::internal)) << show(least.script);
     for (const naive::Process& main : least.script.mains) EXPECT_LE(show(main).size(), 40U) << show(least.script);
 }

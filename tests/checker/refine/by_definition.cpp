@@ -78,7 +78,7 @@ private:
                 return is_nondeterministic();
             case ViolationKind::no_return:
             case ViolationKind::no_trace:
-                return true;  // `expected` has checked what the run violates
+                return true;  // `expected` has already checked this violation
         }
         return false;
     }
@@ -108,8 +108,9 @@ private:
         return !process_.after(states, letter).empty() && process_.can_refuse(states, bit_of(letter));
     }
 
-    /// Whether a shortest run is promised and this run is longer. (A run to a tau loop may be shorter than in the naive
-    /// graph, where one state of the process may correspond to two states, before and on the loop.)
+    /// Returns whether a shortest run is promised and this run is longer. A run to a tau loop may be shorter than in
+    /// the naive graph. There, one state of the process may correspond to two states, one before the loop and one on
+    /// it.
     bool is_longer() const {
         const std::size_t steps = counterexample_.steps.size();
         if (refines() && question_.semantics != Semantics::FD)
@@ -140,8 +141,8 @@ private:
     bool exactly_;
     Behaviour specification_, process_;
     const std::function<Letter(process::Event)>& letter_;
-    States allowed_, before_;  // of the specification, after the run and before its last step
-    States at_;                // of the process
+    States allowed_, before_;  // states of the specification, after the run and before its last step
+    States at_;                // states of the process
     std::vector<Letter> trace_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares counterexamples with the definitions: the run exists in the naive graph, the violation occurs at its end,
-// and if a shortest run is promised, no run is shorter.
+// Compares counterexamples with the definitions. The run must exist in the naive graph, and the violation must occur at
+// its end. If a shortest run is promised, no run may be shorter.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,9 @@
 
 namespace robochart::refine {
 
-/// Describes an error in a violation of the question; nullopt if it is correct. `letter` maps events, including tau and
-/// tick. `exactly`: the searched system has the same taus as the naive graph. Otherwise only traces are compared.
+/// Describes the error in a violation of the question, or returns nullopt if the violation is correct. `letter` maps
+/// events, including tau and tick. If `exactly`, the searched system has the same taus as the naive graph. Otherwise
+/// only traces are compared.
 [[nodiscard]] std::optional<std::string> wrong_by_definition(
     const Counterexample& counterexample, const Question& question, const Graphs& graphs, bool exactly,
     const std::function<naive::Letter(process::Event)>& letter);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Well-known families; their verdicts and sizes are published or follow by counting.
+// Tests well-known families of processes. Their verdicts and sizes are published or follow by counting.
 #include <gtest/gtest.h>
 
 #include "checker/process/term_system.hpp"
@@ -18,8 +18,8 @@ protected:
 };
 
 TEST_F(Classics, SymmetricPhilosophersDeadlock) {
-    // All philosophers think, sit down and pick up the left fork. These are three events each, and a deadlock needs all
-    // of them.
+    // The deadlock needs three events of each of the three philosophers: thinking, sitting down and picking up the left
+    // fork.
     process::TermSystem table = system(dining_philosophers(s, 3, true));
     const Verdict verdict = deadlock_free(table, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
@@ -47,14 +47,14 @@ TEST_F(Classics, MilnersSchedulerRunsInTurn) {
     process::TermSystem specification = system(round_robin(s, count));
     const Verdict verdict = refines(specification, turns, Model::failures_divergences, limits);
     EXPECT_EQ(verdict.outcome, Outcome::holds);
-    EXPECT_EQ(verdict.statistics.states, 3U * count << (count - 1));  // Milner 1989: 3 N 2^(N-1) states
+    EXPECT_EQ(verdict.statistics.states, 3U * count << (count - 1));  // Milner 1989 has 3 N 2^(N-1) states
     EXPECT_EQ(verdict.statistics.spec_nodes, static_cast<std::uint64_t>(count));
     EXPECT_EQ(deterministic(whole, Model::failures_divergences, limits).outcome, Outcome::holds);
     EXPECT_EQ(deadlock_free(whole, Model::failures_divergences, limits).outcome, Outcome::holds);
     process::TermSystem fewer = system(round_robin(s, count - 1));
     const Verdict wrong = refines(fewer, turns, Model::traces, limits);
     ASSERT_EQ(wrong.outcome, Outcome::fails);
-    EXPECT_EQ(s.events.name(*wrong.counterexample->event), "a.5");  // a.0 is expected here
+    EXPECT_EQ(s.events.name(*wrong.counterexample->event), "a.5");  // the specification expects a.0 here
     EXPECT_EQ(wrong.counterexample->required, (std::vector<process::EventSet>{{s.event("a.0")}}));
 }
 
@@ -64,7 +64,7 @@ TEST_F(Classics, ABufferChainIsABuffer) {
     process::TermSystem whole = system(buffer(s, places));
     const Verdict forth = refines(whole, chain, Model::failures_divergences, limits);
     EXPECT_EQ(forth.outcome, Outcome::holds);
-    EXPECT_EQ(forth.statistics.states, 243U);     // 3^5: each place is empty, 0 or 1
+    EXPECT_EQ(forth.statistics.states, 243U);     // 3^5, because each place is empty, 0 or 1
     EXPECT_EQ(forth.statistics.spec_nodes, 63U);  // 2^6 - 1 contents
     EXPECT_EQ(refines(chain, whole, Model::failures_divergences, limits).outcome, Outcome::holds);
     EXPECT_EQ(deterministic(chain, Model::failures_divergences, limits).outcome, Outcome::holds);
@@ -76,7 +76,7 @@ TEST_F(Classics, AShorterChainIsNotTheSameBuffer) {
     EXPECT_EQ(refines(three, chain, Model::traces, limits).outcome, Outcome::holds);
     const Verdict verdict = refines(three, chain, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
-    // The buffer contains two items, the first of which has moved on by a tau. There is no space for a third item.
+    // The buffer contains two items, and a tau has moved the first one on. There is no space for a third item.
     EXPECT_EQ(verdict.counterexample->kind, ViolationKind::refusal);
     EXPECT_EQ(verdict.counterexample->steps.size(), 3U);
     EXPECT_EQ(verdict.counterexample->offered.size(), 1U);

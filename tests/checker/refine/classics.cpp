@@ -16,7 +16,7 @@ std::string at(const std::string& channel, int i, int j) {
     return at(channel, i) + "." + std::to_string(j);
 }
 
-/// A process that repeatedly performs these events in turn.
+/// Returns a process that repeatedly performs these events in turn.
 TermId cycle(Scripted& s, const std::string& name, const std::vector<std::string>& events) {
     const TermId self = s.name(name);
     TermId body = self;
@@ -42,7 +42,7 @@ TermId fork_process(Scripted& s, int i, int count) {
     return self;
 }
 
-/// D(i) = b.i -> c.(i+1) -> Q(i) [] c.(i+1) -> b.i -> Q(i);  Q(i) = c.i -> a.i -> D(i)
+/// Returns D(i) = b.i -> c.(i+1) -> Q(i) [] c.(i+1) -> b.i -> Q(i) with Q(i) = c.i -> a.i -> D(i).
 TermId cycler(Scripted& s, int i, int count) {
     const int next = (i + 1) % count;
     const TermId d = s.name(at("D", i));

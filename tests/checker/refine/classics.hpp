@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard families for refinement checkers, built by hand.
+// Builds standard families of processes for refinement checkers.
 #pragma once
 
 #include <string>
@@ -12,20 +12,22 @@ namespace robochart::refine {
 using process::Scripted;
 using process::TermId;
 
-/// N philosophers and forks with eight events each. Asymmetric: the last philosopher picks up the right fork first.
+/// Returns N philosophers and forks with eight events each. If not symmetric, the last philosopher picks up the right
+/// fork first.
 TermId dining_philosophers(Scripted& s, int count, bool symmetric);
 
-/// Milner's scheduler of N cyclers; its control events c are visible. There are `count` events each of a, b and c.
+/// Returns Milner's scheduler of N cyclers, whose control events c are visible. There are `count` events each of a, b
+/// and c.
 TermId milner_scheduler(Scripted& s, int count);
-/// a.0, a.1, ..., a.(count-1) in turn, repeatedly.
+/// Returns a process that performs a.0, a.1, ..., a.(count-1) in turn, repeatedly.
 TermId round_robin(Scripted& s, int count);
 
-/// A chain of one-place buffers over {0,1} from in to out with hidden inner channels, and the buffer of the same
-/// capacity.
+/// Returns a chain of one-place buffers over {0,1} from in to out with hidden inner channels. The next function returns
+/// the buffer of the same capacity.
 TermId buffer_chain(Scripted& s, int count);
 TermId buffer(Scripted& s, int places);
 
-/// `count` independent processes of four events each.
+/// Returns `count` independent processes of four events each.
 TermId independent_cycles(Scripted& s, int count);
 
 /// Hides all events "channel.…" of these channels.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each compression preserves the models that it claims to preserve (lts/compressor.hpp). The naive checker compares the
-// compressed machine of a random process with the process, in both directions, in T, F and FD. agreement_test.cpp tests
-// compressions in contexts.
+// Tests that each compression preserves the models that it claims to preserve (lts/compressor.hpp). The naive checker
+// compares the compressed machine of a random process with the process, in both directions, in T, F and FD.
+// agreement_test.cpp tests compressions in contexts.
 #include <gtest/gtest.h>
 
 #include "checker/lts/graph.hpp"

@@ -27,7 +27,7 @@ Process rename(Process operand, std::vector<std::pair<Letter, Letter>> pairs) {
         naive::Tree{Kind::rename, {std::move(operand)}, {}, {}, {}, std::move(pairs), 0});
 }
 
-/// Random P, Q, R in one store.
+/// Three random processes P, Q and R in one store.
 class Laws {
 public:
     Laws() : script_(random_script()), translation_(script_) { RC_LOG() << show(script_) << std::endl; }
@@ -139,7 +139,7 @@ RC_GTEST_PROP(Laws, PrioritiseWithOneLevelIsTheIdentity, ()) {
     l.refined_by(l.p(), make(Kind::compress, {l.p()}));
 }
 
-// FDR manual, chase: it follows some of the taus and discards the others, so it only removes behaviour.
+// FDR manual, chase: it follows some of the taus and discards the others, so it only removes behaviours.
 RC_GTEST_PROP(Laws, ChaseRefines, ()) {
     Laws laws;
     laws.refined_by(laws.p(), make(Kind::chase, {laws.p()}));

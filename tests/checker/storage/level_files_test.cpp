@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels in files, and their checkpoints. Another process reads the contents of the newest complete checkpoint, even if
-// the writer was killed at any time. Damaged files are rejected.
+// Tests levels in files, and their checkpoints. Another process reads the contents of the newest complete checkpoint,
+// even if the writer was killed at any time. Damaged files are rejected.
 #include "checker/storage/level_files.hpp"
 
 #include <gmock/gmock.h>
@@ -114,8 +114,8 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     EXPECT_EQ(files_there(), 3U) << "a checkpoint and the files of two runs";
 }
 
-// Only the selected blocks of a level of four blocks are read. A block is selected by its first row and that of the
-// next block.
+// Only the selected blocks of a level of four blocks are read. To select a block, the test uses its first row and that
+// of the next block.
 TEST_F(Levels, AreReadBlockByBlock) {
     LevelFiles files(folder_of());
     std::vector<Word> rows;
@@ -146,7 +146,7 @@ TEST_F(Levels, AreReadBlockByBlock) {
     }
 }
 
-// Levels that a rollback discarded occupy no space. Later levels can be given up, except those of the last checkpoint.
+// Levels that a rollback discarded occupy no space. Later levels can be given up, but not those of the last checkpoint.
 TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
     LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 4; ++level) files.add_level(rows_of(level));
@@ -167,7 +167,7 @@ TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
     expect_levels(files);
 }
 
-// Discarded levels still exist for the previous checkpoint.
+// The previous checkpoint still has the discarded levels.
 TEST_F(Levels, CanBeDiscardedAndRewritten) {
     LevelFiles files(folder_of());
     for (std::uint32_t level = 0; level < 10; ++level) files.add_level(rows_of(level));
@@ -186,7 +186,7 @@ TEST_F(Levels, CanBeDiscardedAndRewritten) {
     expect_levels(after, 100, 4);
 }
 
-// With several ranks, a checkpoint counts when all ranks have written their parts.
+// With several ranks, a checkpoint is complete when all ranks have written their parts.
 TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
     LevelFiles first(folder_of({0, 2}));
     LevelFiles second(folder_of({1, 2}));
@@ -212,7 +212,8 @@ TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
     EXPECT_EQ(newest_checkpoints().at(1).number, 2U);
 }
 
-// If one rank continues to write checkpoints and another cannot, the common checkpoint is not removed.
+// If one rank continues to write checkpoints but another cannot, the newest checkpoint that all ranks have is not
+// removed.
 TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
     LevelFiles first(folder_of({0, 2}));
     LevelFiles second(folder_of({1, 2}));
@@ -235,7 +236,8 @@ TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
     EXPECT_EQ(newest_in(folder_.path()).greatest, 5U);
 }
 
-// Parts with the same number belong together, even if one has more levels; the reader uses the common levels.
+// Parts with the same number belong together, even if one of them has more levels. The reader uses the levels that all
+// parts have.
 TEST_F(Levels, AreInCheckpointsOfMoreLevelsAndOfFewer) {
     LevelFiles first(folder_of({0, 2}));
     LevelFiles second(folder_of({1, 2}));
@@ -255,7 +257,7 @@ TEST_F(Levels, AreInCheckpointsOfMoreLevelsAndOfFewer) {
     EXPECT_EQ(open_checkpoint(found[1]).levels(), 2U);
 }
 
-// Rows are found by their position in a level, so a short block before others would make all later positions wrong.
+// A position in a level identifies a row, so a short block before others would make all later positions wrong.
 TEST_F(Levels, AreRefusedWithAShortBlockBeforeOthers) {
     RowFile file = RowFile::create(folder_.path() + "/rows-0-of-1-0", folder_of().kind);
     file.append(0, std::vector<Word>{1, 1, 1});
@@ -342,7 +344,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
         ASSERT_THAT(refused(damaged), HasSubstr(path)) << at;
         ASSERT_THAT(refused(whole.substr(0, at)), HasSubstr(path)) << at;
     }
-    // The text is also rejected with a correct checksum.
+    // A damaged text is rejected even with a correct checksum.
     const std::string text = whole.substr(0, whole.find("check "));
     std::mt19937 random(3);
     int tried = 0;

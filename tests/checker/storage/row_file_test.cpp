@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of rows. Written rows are read back. Damaged files are rejected with the file, the position and the cause.
+// Tests files of rows. Written rows are read back. Damaged files are rejected with the file, the position and the
+// cause.
 #include "checker/storage/row_file.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Returns random rows of a width, ascending and without duplicates. They are close to each other or anywhere.
+/// Returns random rows of a width, ascending and without duplicates. If `near`, they are close to each other.
 std::vector<Word> random_rows(std::mt19937& random, std::size_t width, std::size_t count, bool near) {
     std::set<std::vector<Word>> rows;
     for (std::size_t tries = 0; rows.size() < count && tries < 10 * count; ++tries) {
@@ -67,7 +68,7 @@ TEST(RowCodec, IsShortForNeighbours) {
     EXPECT_LE(code.size(), 1000U + 8);
 }
 
-// For any bytes, the decoded rows are ascending.
+// Whatever the bytes are, the decoded rows are ascending.
 TEST(RowCodec, TakesAnyBytes) {
     std::mt19937 random(2);
     int taken = 0;
@@ -114,12 +115,12 @@ protected:
     static void put(const std::string& path, const std::string& bytes) {
         std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
     }
-    /// Returns the distance to the next position to test. Tested are every byte of the header, the first level and the
-    /// end, and samples in between.
+    /// Returns the distance to the next position to test. The test damages every byte of the header, the first level
+    /// and the end, and samples in between.
     static std::size_t step(std::size_t at, const std::string& whole) {
         return at < 200 || at + 200 > whole.size() ? 1U : 499U;
     }
-    /// Returns the message with which a file of these bytes is rejected, or "" if it is accepted.
+    /// Returns the message with which a file of these bytes is rejected, or "" if the file is accepted.
     std::string refused(const std::string& bytes) {
         put(path("given"), bytes);
         try {
@@ -241,7 +242,7 @@ TEST_F(RowFiles, CanBeFinishedWhenThereIsSpaceAgain) {
     file.append(0, std::vector<Word>{5, 6});
     const std::uint64_t size = file.size();
     {
-        const tests::FileLimit limit(size + 10);  // the end of the file does not fit
+        const tests::FileLimit limit(size + 10);  // the limit leaves no space for the end of the file
         EXPECT_THROW(file.finish(), CannotWrite);
     }
     EXPECT_EQ(std::filesystem::file_size(path("a")), size);
@@ -256,7 +257,7 @@ TEST_F(RowFiles, CanBeFinishedWhenThereIsSpaceAgain) {
     EXPECT_EQ(rows, (std::vector<Word>{5, 6, 1}));
 }
 
-// Too many open files are not reported as damage of the file.
+// If too many files are open, the error does not say that the file is damaged.
 TEST_F(RowFiles, AreNotDamagedWhereTooManyAreOpen) {
     (void)written("many");
     const tests::OpenFilesLimit limit(0);

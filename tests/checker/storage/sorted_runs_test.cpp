@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows in sorted runs are returned in order and without duplicates, for any distribution over runs. A run that cannot
-// be written does not exist.
+// Tests that rows in sorted runs are returned in order and without duplicates, for any distribution over runs. A run
+// that cannot be written does not exist.
 #include "checker/storage/sorted_runs.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ protected:
     SortedRuns runs_{folder_.path() + "/runs", {width, {}}};
 };
 
-// There are more runs than one merge can process. Some have several blocks, and they have common rows.
+// There are more runs than one merge can process. Some runs have several blocks, and some rows are in several runs.
 TEST_F(Runs, GiveEachRowOnceInOrder) {
     std::mt19937 random(1);
     std::set<Row> all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests priorities as guards: each kind of guard has a process whose answers would be wrong without it. Random rules
+// Tests priorities as guards. Each kind of guard has a process whose answers would be wrong without it. Random rules
 // are compared with the same rules from which one guard is removed.
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@ using machine::WholeRule;
 using process::Event;
 using process::first_visible;
 
-/// What decision diagrams say about a process.
+/// The answers of decision diagrams about a process.
 struct DiagramAnswers {
     bool deadlock = false;
-    std::vector<Event> events;  ///< those that some reachable state can perform
+    std::vector<Event> events;  ///< that some reachable state can perform
     long double states = 0;
     friend bool operator==(const DiagramAnswers&, const DiagramAnswers&) = default;
 };
@@ -57,7 +57,7 @@ DiagramAnswers answers_by(const Supercombinator& combined, const RegionRules& ru
     return answers;
 }
 
-/// The same answers by a search of all states.
+/// Returns the same answers from a search of all states.
 DiagramAnswers answers_by_search(const std::shared_ptr<const Supercombinator>& combined, process::Scripted& s) {
     machine::SupercombinatorSystem system(combined, s.store);
     const lts::Graph graph = lts::explore(system, [](std::size_t) {}).graph;
@@ -76,10 +76,10 @@ DiagramAnswers answers_by_search(const std::shared_ptr<const Supercombinator>& c
 enum class Guard {
     outermost,  ///< the outermost region prevents a rule of the process
     inner,      ///< an inner region prevents a rule of the process that passes through it
-    nested,     ///< a region does not prevent a rule, because an inner region prevents the rule of the first level
+    nested,     ///< a region does not prevent a rule, because an inner region prevents the rule with priority
 };
 
-/// Leaves out one guard of this kind in a rule of a region. Returns false if there is none.
+/// Removes the guards of this kind from a rule of a region. Returns false if there are none.
 bool leave_out(Guard guard, RegionRules& rules, std::size_t region, std::size_t number) {
     const std::size_t last = rules.size() - 1;
     if ((guard == Guard::nested) != (region < last)) return false;
@@ -90,7 +90,7 @@ bool leave_out(Guard guard, RegionRules& rules, std::size_t region, std::size_t 
     return std::erase_if(rules[region][number].prevented, is_of_kind) > 0;
 }
 
-/// A process in which each event belongs to one component. The regions are inside each other.
+/// A process in which each event belongs to one component. Each region contains the previous one.
 class Guards : public testing::Test {
 protected:
     enum Name : Event { a = first_visible, b, c, d };
@@ -104,7 +104,8 @@ protected:
         for (const char* const name : {"a", "b", "c", "d"}) s.event(name);
     }
 
-    /// `off_by_c`: whether the rule for c of the outermost region turns the first component off.
+    /// Makes a process with these layers. If `off_by_c`, the rule for c of the outermost region turns the first
+    /// component off.
     std::shared_ptr<const Supercombinator> process_of(const std::vector<Layer>& layers, bool off_by_c = false) {
         Supercombinator made;
         for (const Layer& layer : layers) {
@@ -140,8 +141,8 @@ protected:
         return std::make_shared<const Supercombinator>(std::move(made));
     }
 
-    /// The answers with all guards agree with those of a search. Returns them, and the answers without the guards of
-    /// this kind.
+    /// Checks that the answers with all guards agree with those of a search. Returns these answers, and the answers
+    /// without the guards of this kind.
     std::pair<DiagramAnswers, DiagramAnswers> with_and_without(const std::shared_ptr<const Supercombinator>& combined,
                                                                Guard guard) {
         RegionRules rules = machine::rules_of_regions(*combined, diagnostics::unlimited).value();
@@ -158,7 +159,7 @@ protected:
     process::Scripted s;
 };
 
-/// a is always possible and comes before b, so b never leads to the deadlock.
+/// a is always possible and has priority over b, so the deadlock after b is not reachable.
 TEST_F(Guards, TheOutermostRegionPreventsARule) {
     const machine::Rows loop_or_stop{{{a, 0}, {b, 1}}, {}};
     const auto combined = process_of({{{loop_or_stop}, {{a, 0}, {b, 1}}}});
@@ -169,7 +170,7 @@ TEST_F(Guards, TheOutermostRegionPreventsARule) {
     EXPECT_EQ(wrong.events, (std::vector<Event>{a, b}));
 }
 
-/// The same below an operator that has no priorities, beside a component that can do nothing.
+/// The same region below an operator that has no priorities, next to a component that can do nothing.
 TEST_F(Guards, AnInnerRegionPreventsARule) {
     const machine::Rows loop_or_stop{{{a, 0}, {b, 1}}, {}}, stop{{}};
     const auto combined = process_of({{{loop_or_stop}, {{a, 0}, {b, 1}}}, {{stop}, {}}});
@@ -180,8 +181,8 @@ TEST_F(Guards, AnInnerRegionPreventsARule) {
     EXPECT_EQ(wrong.events, (std::vector<Event>{a, b}));
 }
 
-/// In the outermost region b comes before c. The region inside prevents b, because a is always possible, so c happens
-/// and turns the first component off. If the guard of b were left out, c would seem to be prevented.
+/// In the outermost region, b has priority over c. The inner region prevents b, because a is always possible. So c
+/// happens and turns the first component off. If the guard of b were removed, c would seem to be prevented.
 TEST_F(Guards, APreventedRuleOfTheProcessPreventsNothing) {
     const machine::Rows loops{{{a, 0}, {b, 0}}}, once{{{c, 1}}, {}};
     const auto combined = process_of({{{loops}, {{a, 0}, {b, 1}}}, {{once}, {{b, 0}, {c, 1}}}}, true);
@@ -192,8 +193,8 @@ TEST_F(Guards, APreventedRuleOfTheProcessPreventsNothing) {
     EXPECT_EQ(wrong.events, (std::vector<Event>{a, b}));
 }
 
-/// The same one operator further inside: three regions, of which the middle one would prevent c by b, which the
-/// innermost one prevents.
+/// The same situation one operator further inside. There are three regions. In the middle one, b would prevent c, but
+/// the innermost region prevents b.
 TEST_F(Guards, APreventedRuleOfAnInnerRegionPreventsNothing) {
     const machine::Rows loops{{{a, 0}, {b, 0}}}, once{{{c, 1}}, {}}, stop{{}};
     const auto combined = process_of({{{loops}, {{a, 0}, {b, 1}}}, {{once}, {{b, 0}, {c, 1}}}, {{stop}, {}}}, true);
@@ -204,8 +205,8 @@ TEST_F(Guards, APreventedRuleOfAnInnerRegionPreventsNothing) {
     EXPECT_EQ(wrong.events, std::vector<Event>{a});
 }
 
-/// A guard that is left out in one rule changes the answers of many random processes. Rules of three levels and three
-/// regions, as nested guards need them, are too seldom there.
+/// A guard that is removed from one rule changes the answers of many random processes. Nested guards are not tested
+/// here: they need rules with three levels and three regions, which are too rare among random rules.
 TEST_F(Guards, EachKindOfGuardMattersInRandomRules) {
     for (const Guard guard : {Guard::outermost, Guard::inner}) {
         machine::RandomRules random(3708);

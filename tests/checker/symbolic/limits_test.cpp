@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests limits while decision diagrams are computed (the stage): the time limit and an interruption of the run end the
+// Tests limits during the stage that computes decision diagrams. The time limit and an interruption of the run end the
 // check. The bounds of the stage itself, and a run with little memory, end only the stage, and the search continues.
 #include <gtest/gtest.h>
 
@@ -17,8 +17,9 @@ namespace {
 using refine::Outcome;
 using Clock = std::chrono::steady_clock;
 
-/// Pairs of components that count together, each pair to another number, so that there are no equal pairs. If the first
-/// components of all pairs are before the second ones in the order, diagrams have a node for each state of the former.
+/// Makes pairs of components that count together. Each pair counts to another number, so no two pairs are equal. The
+/// variable order puts the first components of all pairs before the second ones. So the diagrams have a node for each
+/// combination of states of the first components.
 class StageLimits : public testing::Test {
 protected:
     StageLimits() {
@@ -58,7 +59,7 @@ protected:
         return {std::make_shared<const machine::Supercombinator>(std::move(made)), s.store};
     }
 
-    /// Whether the process does only what it may do: everything.
+    /// Checks whether the system refines the process that can perform every event.
     refine::Verdict decide(machine::SupercombinatorSystem& system) {
         lts::GraphSystem run(run_graph, s.store.events());
         DiagramStage stage(options);
@@ -67,7 +68,7 @@ protected:
     }
 
     static constexpr std::uint32_t most_pairs = 30;
-    static constexpr std::chrono::seconds soon{10};  // machines may be busy; the work would take hours
+    static constexpr std::chrono::seconds soon{10};  // the machine may be busy; the whole work would take hours
     process::Scripted s;
     lts::Graph run_graph;
     StageOptions options;
@@ -127,7 +128,7 @@ TEST_F(StageLimits, TheSearchGoesOnIfDiagramsNeedTooMuchMemory) {
     }
 }
 
-/// The stage ends before the memory limit of the run, which the search alone would not reach.
+/// The stage ends before the run reaches its memory limit. The search alone would not reach this limit.
 TEST_F(StageLimits, TheSearchGoesOnIfTheRunHasLittleMemory) {
     if (tests::sanitized) GTEST_SKIP() << "sanitizers need more memory than the limit leaves";
     machine::SupercombinatorSystem system = pairs_that_count(most_pairs);
@@ -138,7 +139,8 @@ TEST_F(StageLimits, TheSearchGoesOnIfTheRunHasLittleMemory) {
     EXPECT_TRUE(verdict.reason.starts_with("the limit of 20000 states was reached")) << verdict.reason;
 }
 
-/// The answer of the search is the same with a stage that gives up, and a stage that gave up is not tried again.
+/// If the stage gives up, the search gives the same answer as without the stage. A stage that has given up is not tried
+/// again.
 TEST_F(StageLimits, AnAttemptWithoutAnswerChangesNothing) {
     machine::SupercombinatorSystem system = pairs_that_count(6);
     const refine::Verdict expected = refine::refines(*std::make_unique<lts::GraphSystem>(run_graph, s.store.events()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares decision diagrams with the search of all states, on random rules: with small tables, with a collection
-// before every node, and in random orders. A rule, a guard or an assignment that is left out must make a difference.
+// before every node, and in random orders. If a rule, a guard or an assignment is left out, the answers must change.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ std::vector<StageOptions> settings(std::size_t slots, std::mt19937_64& numbers) 
     return result;
 }
 
-/// The answer of the stage, whose violations are replayed.
+/// Returns the answer of the stage. Violations are replayed.
 std::optional<refine::Findings> decide(SupercombinatorSystem& system, const refine::SymbolicQuestion& question,
                                        const StageOptions& options) {
     const refine::Limits limits;
@@ -121,7 +121,7 @@ TEST_F(Symbolic, AgreesWithTheSearchOnRandomRules) {
     EXPECT_GT(large * 10, rounds);
 }
 
-/// The same process, whose first visible event is termination.
+/// Returns the same process with termination as its first visible event.
 std::shared_ptr<const Supercombinator> with_tick(const Supercombinator& combined) {
     Supercombinator result = combined;
     machine::Region& whole = result.regions.back();
@@ -134,8 +134,8 @@ std::shared_ptr<const Supercombinator> with_tick(const Supercombinator& combined
     return std::make_shared<const Supercombinator>(std::move(result));
 }
 
-/// A specification that differs little from the process, or not at all: some transitions of some states are left out,
-/// added, or have another event or target.
+/// Returns a specification that differs little from the process, or not at all. Some transitions of some states are
+/// left out or added, or have another event or target.
 lts::Graph similar_graph(const lts::Graph& graph, std::mt19937_64& numbers) {
     const std::uint64_t changes = numbers() % 3;
     const auto some_event = [&] { return static_cast<process::Event>(numbers() % (process::first_visible + 4)); };
@@ -159,7 +159,7 @@ lts::Graph similar_graph(const lts::Graph& graph, std::mt19937_64& numbers) {
     return result;
 }
 
-/// How often the comparison with the search met which answer.
+/// Counts the answers of the comparisons with the search.
 struct Answers {
     int holds = 0, forbidden = 0, refusals = 0, divergences = 0, with_tick = 0;
 };
@@ -170,7 +170,7 @@ void compare_refinement(SupercombinatorSystem& system, lts::TransitionSystem& sp
     const refine::Verdict expected = refine::refines(specification, system, model, {});
     const bool divergence = model == refine::Model::failures_divergences;
     const auto found = decide(system, {false, divergence, &specification, model}, options);
-    if (!found) {  // the specification diverges at once
+    if (!found) {  // the specification diverges immediately
         ASSERT_TRUE(divergence);
         ASSERT_EQ(expected.outcome, Outcome::holds);
         ASSERT_LE(expected.statistics.states, 1U);
@@ -179,7 +179,7 @@ void compare_refinement(SupercombinatorSystem& system, lts::TransitionSystem& sp
     ASSERT_EQ(found->violation.has_value(), expected.outcome == Outcome::fails);
     if (!found->violation) {
         ++answers.holds;
-        constexpr std::uint64_t few_nodes = 256;  // with more, the search may leave out pairs (antichains)
+        constexpr std::uint64_t few_nodes = 256;  // with more nodes, the search may leave out pairs (antichains)
         if (found->statistics.spec_nodes <= few_nodes) {
             ASSERT_EQ(std::llround(std::pow(10.0, found->statistics.log10_states)), expected.statistics.states);
         }
@@ -231,7 +231,7 @@ TEST_F(Symbolic, RefinementAgreesWithTheSearchOnRandomRules) {
     EXPECT_GT(answers.divergences, rounds / 50);
 }
 
-/// The numbers of reachable states and of deadlocks by these rules.
+/// Returns the numbers of reachable states and of deadlocks according to these rules.
 std::pair<long double, long double> counts_of(const Supercombinator& combined, const RegionRules& rules) {
     const Variables variables = make_variables(combined, rules, diagnostics::unlimited);
     Diagrams diagrams(variables.domains, {}, diagnostics::unlimited);
@@ -246,7 +246,7 @@ std::pair<long double, long double> counts_of(const Supercombinator& combined, c
             diagrams.count_tuples(diagrams.intersect(diagrams.levels(), reached, stuck))};
 }
 
-/// Leaves out one thing in one rule: the rule, what can prevent it, or an assignment.
+/// What is left out in one rule: the rule itself, its guards, or an assignment.
 enum class Fault { rule, guard, assignment };
 
 bool plant(Fault fault, std::vector<machine::WholeRule>& rules, std::size_t number) {
@@ -270,7 +270,7 @@ bool plant(Fault fault, std::vector<machine::WholeRule>& rules, std::size_t numb
     return false;
 }
 
-/// The comparison of counts notices each kind of fault in many processes.
+/// For each kind of fault, the counts differ in many processes.
 TEST_F(Symbolic, PlantedFaultsAreNoticed) {
     for (const Fault fault : {Fault::rule, Fault::guard, Fault::assignment}) {
         RandomRules random(3703);
@@ -300,7 +300,7 @@ TEST_F(Symbolic, GivesUpWithoutMemoryOrTime) {
     EXPECT_FALSE(decide(system, {true, false}, small));
 }
 
-/// Without a delay, the stage decides in place of the search. The verdicts and the lengths of runs are those of the
+/// Without a delay, the stage decides before the search. The verdicts and the lengths of runs must be those of the
 /// search.
 TEST_F(Symbolic, DecidesInPlaceOfTheSearch) {
     RandomRules rules(3705);

@@ -15,11 +15,11 @@ using testing::Read;
 
 struct Row {
     const char* text;
-    const char* finding;  ///< "": none
+    const char* finding;  ///< "" if there is none
     const char* message;
 };
 
-/// The rows of bad input that docs/claims.md names.
+/// Tests the kinds of bad input that docs/claims.md names.
 TEST(ClaimChecks, RejectBadInput) {
     for (const Row& row : {
              Row{"claim A : never halt", "", ""},
@@ -108,7 +108,7 @@ TEST(ClaimChecks, RejectBadInput) {
     }
 }
 
-/// The fix replaces the name of the state, not the word before it.
+/// The fix replaces the name of the state, and not the word in front of the name.
 TEST(ClaimChecks, FixTheNameOfAState) {
     for (const char* const text : {"claim A : while in Inner, never goTo", "claim A : enter Inner only after clear",
                                    "claim A : always not in  Inner or in Held"}) {

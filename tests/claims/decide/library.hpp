@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims as processes that are written by hand in CSP, and random claims with their processes.
+// Draws random claims, and gives for each claim a process that was written by hand in CSP.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,14 @@
 
 namespace robochart::claims::testing {
 
-/// A channel of the claim's component with its events in the script.
+/// A channel of the claim's component, with the text of its events in the script.
 struct NamedChannel {
     std::size_t channel = 0;
     std::string text;
 };
 
-/// Each process lets everything happen that breaks nothing yet. All: the events with tock. SKIP: the component may end.
+/// Each process allows every event that does not yet break the claim. All contains the events and tock. SKIP means that
+/// the component may terminate.
 inline const char* const library = R"(RUNS(All) = ([] e : All @ e -> RUNS(All)) [] SKIP
 NEVER(All, X) = ([] e : diff(All, X) @ e -> NEVER(All, X)) [] SKIP
 ONLYAFTER(All, X, B) = ([] e : diff(All, X) @ e -> if member(e, B) then RUNS(All) else ONLYAFTER(All, X, B)) [] SKIP
@@ -52,7 +53,7 @@ INSCOPE(All, S, Z, Body) = Body /\ ([] z : Z @ z -> if member(z, S) then INSCOPE
 FIRSTLY(All, Z, Body) = Body /\ ([] z : Z @ z -> RUNS(All))
 )";
 
-/// A set of events, for the claim and for the process.
+/// A set of events, as the claim and as the process need it.
 struct Drawn {
     Events events;
     std::string text;
@@ -74,7 +75,7 @@ public:
         return result;
     }
 
-    /// All events, with tock.
+    /// Returns the set of all events, with tock.
     [[nodiscard]] std::string all() const {
         std::string result;
         for (const NamedChannel& channel : channels_) result += channel.text + ", ";
@@ -86,7 +87,7 @@ private:
     std::vector<NamedChannel> channels_;
 };
 
-/// The claim's body, and the process over `all`.
+/// Draws the claim's body, and returns the process over `all`.
 inline std::string draw_body(Draws& draws, CheckedBody& body, const std::string& all) {
     const Drawn x = draws.set(), y = draws.set(), z = draws.set();
     const int limit = draws.below(3);
@@ -134,7 +135,7 @@ inline std::string draw_body(Draws& draws, CheckedBody& body, const std::string&
     }
 }
 
-/// Draws the scope and the body of the claim; returns its process.
+/// Draws the scope and the body of the claim, and returns its process.
 inline std::string draw_claim(Draws& draws, CheckedClaim& claim) {
     const std::string all = draws.all();
     const Drawn first = draws.set(), last = draws.set();

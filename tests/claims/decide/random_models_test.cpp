@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims about random timed models: the verdict is that of the process that is written by hand in CSP for the claim.
-// ROBOCHART_SEEDS=N checks N models (tests/long.sh claims).
+// Tests claims about random timed models. The verdict must be that of the process that was written by hand in CSP for
+// the claim. ROBOCHART_SEEDS=N checks N models (tests/long.sh claims).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    /// At most three channels whose events have few values.
+    /// Returns at most three channels whose events have few values.
     [[nodiscard]] std::vector<testing::NamedChannel> channels_of(const Component& component) const {
         constexpr std::size_t most = 3;
         std::vector<testing::NamedChannel> result;

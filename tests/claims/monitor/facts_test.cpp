@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares monitors of claims about states and variables with the definitions of the claims' words, on all traces up to
-// a length.
+// Compares monitors of claims about states and variables with the definitions in words.hpp, on all traces up to a
+// length.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,14 +14,14 @@
 namespace robochart::claims::testing::facts {
 namespace {
 
-/// The events of a trace besides tock: two events, and the beginnings and ends of two facts. The second is the one that
-/// `while` reads.
+/// The events of a trace besides tock: two events, and the beginnings and ends of two facts. `while` reads the second
+/// fact.
 enum Step : int { a, b, begins, ends, scope_begins, scope_ends, steps };
 constexpr std::size_t fact = 0, of_scope = 1;
 
 struct Truth {
     bool fact = false, scope = false;
-    /// Facts change; they do not begin twice.
+    /// Returns whether the step is possible: a fact that holds can only end, and one that does not hold can only begin.
     [[nodiscard]] bool allows(int step) const {
         return !((step == begins && fact) || (step == ends && !fact) || (step == scope_begins && scope) ||
                  (step == scope_ends && !scope));
@@ -58,7 +58,8 @@ CheckedClaim claim_with_facts() {
     return claim;
 }
 
-/// Walks over all traces to a length that the claim has not been broken on; compares it with the definition.
+/// Visits all traces up to a length. After each step on a trace that has not yet broken the claim, compares the monitor
+/// with the definition.
 class Walk {
 public:
     Walk(const CheckedClaim& claim, const Bad& bad) : monitor_(claim), bad_(bad) {}
@@ -111,7 +112,7 @@ private:
     std::string first_;
 };
 
-/// True if the trace breaks the body in some stretch in which the fact of the scope holds.
+/// True if the trace breaks the body in some period in which the fact of the scope holds.
 Bad during(const Bad& body) {
     return after_until({scope_begins}, {scope_ends}, body);
 }
@@ -168,7 +169,7 @@ TEST(FactMonitor, EventsAndChangesInAScopeOfWhile) {
     EXPECT_GT(broken, 10'000U);
 }
 
-/// `always`, `for at least` and `for at most`, with and without `while`, straight from their words.
+/// Tests `always`, `for at least` and `for at most`, with and without `while`, by the definitions of these words.
 TEST(FactMonitor, ConditionsAndStays) {
     for (const BodyKind kind : {BodyKind::always, BodyKind::for_at_least, BodyKind::for_at_most})
         for (const int limit : {0, 1, 2})
@@ -206,7 +207,7 @@ TEST(FactMonitor, ConditionsAndStays) {
             }
 }
 
-/// Nothing is known of a fact before a machine shows it: no stay and no scope begins, and a tock breaks `always`.
+/// A fact is unknown until a machine shows it. Until then, no stay and no scope begins, and a tock breaks `always`.
 TEST(FactMonitor, UnknownFacts) {
     CheckedClaim claim = claim_with_facts();
     claim.body.kind = BodyKind::for_at_least;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the monitors of claims with the definitions of the claims' words, on all traces up to a length.
+// Compares the monitors of claims with the definitions in words.hpp, on all traces up to a length.
 #include "claims/monitor/monitor.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Events events_of(const Set& set) {
     return result;
 }
 
-/// A claim with the definition of its words.
+/// A claim, and the definition of its words.
 struct Pair {
     CheckedClaim claim;
     Bad bad;
@@ -37,7 +37,8 @@ std::string text_of(const Trace& trace) {
     return result;
 }
 
-/// Walks over all traces to this length that are not broken before, and counts those on which both differ.
+/// Visits all traces up to this length, and stops at a broken claim. Counts the traces on which monitor and definition
+/// differ.
 class Comparison {
 public:
     explicit Comparison(const Pair& pair) : pair_(pair), monitor_(pair.claim) {}
@@ -79,7 +80,7 @@ class Draws {
 public:
     explicit Draws(std::uint32_t seed) : random_(seed) {}
     int below(int limit) { return static_cast<int>(random_() % static_cast<std::uint32_t>(limit)); }
-    /// A set with an event.
+    /// Returns a set with an event.
     Set set() {
         Set result;
         while (result.empty())
@@ -93,7 +94,7 @@ private:
     std::mt19937 random_;
 };
 
-/// A body with its definition.
+/// Draws a body, and returns its definition.
 Bad draw_body(Draws& draws, CheckedBody& body) {
     constexpr std::array kinds{BodyKind::never,        BodyKind::only_after,   BodyKind::only_within,
                                BodyKind::leads_within, BodyKind::leads_before, BodyKind::at_least,
@@ -191,7 +192,7 @@ Pair draw_pair(Draws& draws) {
             scope.units = draws.below(3);
             pair.bad = for_after(first, static_cast<int>(scope.units), body);
             break;
-        case ScopeKind::during:  // facts_test.cpp
+        case ScopeKind::during:  // tested in facts_test.cpp
         case ScopeKind::cycle:
             break;
     }
@@ -216,7 +217,7 @@ TEST(Monitor, AgreesWithTheWordsOnAllTraces) {
     EXPECT_GT(broken, 100'000U);
 }
 
-/// Every trace to a length, without looking at the claim.
+/// Visits every trace up to a length, whether or not the claim is broken.
 void all_traces(std::size_t length, Trace& trace, const std::function<void(const Trace&)>& visit) {
     visit(trace);
     for (int event = tock; length > 0 && event < channels; ++event) {
@@ -226,7 +227,7 @@ void all_traces(std::size_t length, Trace& trace, const std::function<void(const
     }
 }
 
-/// True if the trace or a prefix breaks the body.
+/// Returns true if the trace or a prefix breaks the body.
 bool broken_before(const Bad& bad, const Trace& trace) {
     for (std::size_t length = 0; length <= trace.size(); ++length)
         if (bad(Trace(trace.begin(), trace.begin() + static_cast<std::ptrdiff_t>(length)))) return true;

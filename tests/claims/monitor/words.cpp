@@ -7,7 +7,7 @@
 namespace robochart::claims::testing {
 namespace {
 
-/// The instant of each event: the number of tocks before it.
+/// Returns the instant of each event, which is the number of tocks before it.
 std::vector<int> times_of(const Trace& trace) {
     std::vector<int> result;
     int now = 0;
@@ -26,7 +26,7 @@ bool is_in(int event, const Set& set) {
     return set.contains(event);
 }
 
-/// True if some pair of events, the first before the second, satisfies the predicate.
+/// Returns true if some pair of events, the first before the second, satisfies the predicate.
 template <class Predicate>
 bool some_pair(const Trace& trace, const Predicate& predicate) {
     for (std::size_t i = 0; i < trace.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meaning of claims in the words of docs/claims.md, as predicates on finite traces: the reference of the monitors.
-// Nothing here is shared with them.
+// Defines claims as predicates on finite traces, in the words of docs/claims.md. The tests compare monitors with these
+// definitions, which share nothing with them.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 
 namespace robochart::claims::testing {
 
-/// Events are small numbers, time is `tock`.
+/// A trace, in which events are small numbers and time is `tock`.
 using Trace = std::vector<int>;
 using Set = std::set<int>;
 constexpr int tock = -1;
 
-/// True if the events of a trace, which begin at some instant, break the body.
+/// A predicate that is true if the events of a trace break the body. The trace may begin at any instant.
 using Bad = std::function<bool(const Trace&)>;
 
 Bad never(Set events);
@@ -31,13 +31,14 @@ Bad every(Set events, int limit);
 /// True if an answer is missing at the end of the trace.
 bool answer_missing(const Trace& trace, const Set& events, const Set& others, const Set& exceptions);
 
-/// The trace breaks the body in the scope.
+/// Return predicates that are true if the trace breaks the body in the scope.
 Bad before(Set first, Bad body);
 Bad after(Set first, Bad body);
 Bad after_until(Set first, Set last, Bad body);
-/// The count begins anew at each event of `first`, which counts itself.
+/// Returns a predicate that begins to count again at each event of `first`. The count includes this event.
 Bad at_most_after_each(Set first, Set events, int count);
-/// As long as an event of `first` is at most `limit` time units ago.
+/// Returns a predicate that is true if the trace breaks the body while an event of `first` is at most `limit` time
+/// units ago.
 Bad for_after(Set first, int limit, Bad body);
 
 }  // namespace robochart::claims::testing

@@ -16,12 +16,12 @@ struct Read {
     explicit Read(const std::string& text, const std::string& path = "rules.sleec") {
         file = read(sources, sources.add(path, text), diagnostics);
     }
-    /// Also resolves names and checks types.
+    /// Resolves names and checks types, too.
     Read& checked_too() {
         if (diagnostics.ok()) checked = check_rules(file, diagnostics);
         return *this;
     }
-    /// "SLEEC-P01:3 SLEEC-P02:7": codes with lines, in the order of the text.
+    /// Returns codes with lines, in the order of the text: "SLEEC-P01:3 SLEEC-P02:7".
     [[nodiscard]] std::string findings() const {
         std::string text;
         for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings()) {
@@ -40,8 +40,8 @@ struct Read {
     std::optional<CheckedRules> checked;
 };
 
-/// A file with these rules over the events Go, Stop, Halt, Alarm, Help, the measures near, safe (boolean), level
-/// (numeric), load (low, mid, high), and the constant MAX = 5.
+/// Returns a file with these rules over the events Go, Stop, Halt, Alarm, Help, the measures near, safe (boolean),
+/// level (numeric), load (low, mid, high), and the constant MAX = 5.
 inline std::string with_definitions(const std::string& rules) {
     return "def_start\nevent Go event Stop event Halt event Alarm event Help\n"
            "measure near : boolean measure safe : boolean measure level : numeric\n"

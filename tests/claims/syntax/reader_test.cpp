@@ -114,7 +114,7 @@ TEST(ClaimReader, ReadsOrders) {
     EXPECT_FALSE(Parsed("order Patrol : estop").diagnostics.ok());
 }
 
-/// Words are keywords only at their place.
+/// Words are keywords only where the grammar expects them.
 TEST(ClaimReader, EventsMayHaveTheNamesOfKeywords) {
     const Parsed good(
         "claim A : after reset until out, never unit or first\nclaim C : each leads to ^start within 1 units");
@@ -130,7 +130,6 @@ TEST(ClaimReader, GivesAdvice) {
     EXPECT_THAT(Parsed("claim A : never a & b").report(), HasSubstr("CLM-P02"));
 }
 
-/// Each row of the advice is about a form that the tests write down here.
 TEST(ClaimReader, ContinuesAtTheNextClaim) {
     const Parsed parsed("claim A : never\nclaim B : at most x\nclaim C : never a\nclaim D : a leads b\n");
     EXPECT_EQ(parsed.diagnostics.error_count(), 3U) << parsed.report();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks many small components at once: compiles their generated code as one translation unit, then checks each
-// component separately. Used for random models and surveys.
+// component separately. The tests use it for random models and surveys.
 #pragma once
 
 #include <chrono>
@@ -32,10 +32,10 @@ struct Candidate {
                                                    const Options&, diagnostics::SourceManager&,
                                                    diagnostics::Diagnostics&);
 
-/// Candidates compiled together.
+/// Candidates that were compiled together.
 class Batch {
 public:
-    /// On failure returns null and sets `error` to the compiler's output.
+    /// Compiles the candidates. On failure returns null and sets `error` to the compiler's output.
     static std::unique_ptr<Batch> build(std::vector<std::unique_ptr<Candidate>>, const Options&, std::string& error);
 
     [[nodiscard]] std::size_t size() const { return candidates_.size(); }

@@ -21,8 +21,8 @@ const cpp_emit::OutputFile* file_ending(const cpp_emit::Emission& code, std::str
     return nullptr;
 }
 
-/// Appends the text without the lines that must occur only once, at the top of a source. Adds its included headers to
-/// `includes`, except headers of the candidate itself.
+/// Appends the text without the lines that must occur only once, at the top of a source. Adds the headers that it
+/// includes to `includes`, except headers of the candidate itself.
 void append_text(std::string& text, const std::string& source, std::set<std::string>& includes) {
     const std::string_view entry = "extern \"C\" const rc_interface* robochart_explore(void) {";
     for (std::size_t begin = 0; begin < source.size();) {
@@ -42,7 +42,8 @@ std::string batch_preamble(const std::set<std::string>& includes) {
     return text + "\n";
 }
 
-/// The candidate's own headers that its shim includes, in the order of inclusion, and then the shim.
+/// Returns the candidate's own headers that its exploration interface includes, in the order of inclusion, and then
+/// this interface.
 std::vector<const cpp_emit::OutputFile*> own_files(const cpp_emit::Emission& code) {
     const cpp_emit::OutputFile& shim = *file_ending(code, code.shim);
     std::vector<const cpp_emit::OutputFile*> files;

@@ -18,8 +18,8 @@ void append_graph(lts::Graph& whole, const lts::Graph& part) {
     }
 }
 
-/// Joins both graphs to one in which both are reachable. Their first states get the numbers 1 and 1 + the number of
-/// states of the first graph.
+/// Joins both graphs to one in which both are reachable. The first state of `one` gets the number 1. The first state of
+/// `other` gets 1 + the number of states of `one`.
 bool are_bisimilar(const lts::Graph& one, const lts::Graph& other) {
     const auto second = static_cast<lts::StateIndex>(1 + one.size());
     lts::Graph both;
@@ -32,7 +32,7 @@ bool are_bisimilar(const lts::Graph& one, const lts::Graph& other) {
     return quotient.state_of[1] == quotient.state_of[second];
 }
 
-/// Refinement of `specification` by `implementation`: a counterexample; no value if it holds.
+/// Checks whether `implementation` refines `specification`. Returns a counterexample, or no value if it does.
 std::optional<refine::Counterexample> find_distinguishing_run(const lts::Graph& implementation,
                                                               const lts::Graph& specification, const Alphabet& alphabet,
                                                               const refine::Limits& limits) {

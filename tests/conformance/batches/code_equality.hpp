@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines whether two controllers have the same behaviour: whether L(G) and L(G') are strongly bisimilar graphs.
-// Bisimilarity is finer than equal failures and divergences, so "same" holds in every model of CSP.
+// Determines whether two controllers have the same behaviour, that is, whether L(G) and L(G') are strongly bisimilar
+// graphs. Bisimilarity is finer than equal failures and divergences, so "same" holds in every model of CSP.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct CodeEquality {
     bool same = false;
     std::uint64_t states = 0;  ///< total of both graphs
     /// If the behaviours differ, a shortest trace that only one controller has, or a trace with a different refusal or
-    /// divergence. "" if only the branching differs.
+    /// divergence. If only the branching differs, "".
     std::string difference;
     std::size_t cycles = 0;  ///< cycles of that trace, including incomplete ones
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptive tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp). The tests adapt to the behaviour of
-// the implementation. They must fail with a forbidden continuation if the exhaustive check finds a difference, and pass
-// if it finds none.
+// Tests adaptive tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp). Such tests adapt to the
+// behaviour of the implementation. They must fail at a forbidden continuation if the exhaustive check finds a
+// difference, and pass if it finds none.
 #include "cpp_emit/runtime/adaptive.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ using cpp_emit::Fault;
 using ::testing::HasSubstr;
 using Verdict = AdaptiveVerdict::Kind;
 
-/// Gives generated code the textual API of an implementation.
+/// Wraps generated code in the textual API of an implementation.
 class Generated {
 public:
     Generated(const rc_interface& code, const ChoiceAutomaton& machine, const AllowedCycles& graph,
@@ -67,7 +67,8 @@ private:
     std::map<process::Event, std::string> words_;
 };
 
-/// Checks every mutant at every place: the tests fail if and only if the exhaustive check finds a difference.
+/// Checks every mutant at every place. The adaptive tests must fail if and only if the exhaustive check finds a
+/// difference.
 void check_mutants(const std::string& folder, const std::vector<Fault>& faults, bool choices) {
     test::Model project(folder);
     const ir::ComponentRef component =
@@ -121,7 +122,7 @@ TEST(AdaptiveTests, KillTheMutantsOfAggregation) {
 
 // ------------------------------------------------------------ verdicts, by hand
 
-/// The model has one state and no inputs: every cycle outputs a or b.
+/// Returns a model with one state and no inputs. Every cycle outputs a or b.
 AllowedCycles a_or_b(std::size_t extra) {
     AllowedCycles graph;
     std::istringstream text(
@@ -150,8 +151,8 @@ TEST(AdaptiveTests, WhateverTheModelAllowsPasses) {
     EXPECT_EQ(turns.states, 2U);
 }
 
-/// The bound is exact: the implementation has five states and appears to have one, so the fault is found with four
-/// extra states.
+/// The bound is exact. The implementation has five states but appears to have one, so the tests need four extra states
+/// to find the fault.
 TEST(AdaptiveTests, AFaultFarAwayNeedsMoreStates) {
     const auto fifth = [](int cycle, int) { return cycle == 5 ? "c!" : "a!"; };
     const auto few = adaptive_verdict(a_or_b(0), fifth);
@@ -178,7 +179,7 @@ TEST(AdaptiveTests, WhatCannotBeDecidedIsInconclusive) {
     EXPECT_THAT(endless.reason, HasSubstr("more than 2000 cycles"));
 }
 
-/// The model may terminate or continue; an implementation may do either.
+/// The model may terminate or continue, and so may an implementation.
 TEST(AdaptiveTests, TerminationIsAChoiceToo) {
     AllowedCycles graph;
     std::istringstream text("robochart-graph 1\nextra 1\ninput 0\ninput 1 stop?\nstate 0\n0 0\n1 0\n1 over off!\n");

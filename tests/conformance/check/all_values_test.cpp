@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conformance for all values (docs/conformance.md, "All values"). The mutants are faults in the conditions of generated
-// code: all mutants of a model are compiled together, and a variable of the object selects one. Whether a mutant
-// differs from the original is also computed without the search, with points on, between and beyond all thresholds.
+// Tests conformance for all values (docs/conformance.md, "All values"). The mutants are faults in the conditions of
+// generated code. All mutants of a model are compiled together, and a variable of the object selects one. The test also
+// computes without the search whether a mutant differs from the original, with points on, between and beyond all
+// thresholds.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +40,8 @@ enum ConditionFault : int {
     fault_kinds
 };
 
-/// In front of the core: a comparison with the number `site`, which the variable robochart_mutant may make faulty.
+/// Text that precedes the core: a comparison with the number `site`, which the variable robochart_mutant may make
+/// faulty.
 constexpr const char* faulty_comparison = R"(
 extern "C" { __attribute__((visibility("default"))) int robochart_mutant = -1; }
 namespace mutants {
@@ -89,7 +91,7 @@ inline int one_more(int mutant) { return robochart_mutant == mutant ? 1 : 0; }
 )";
 static_assert(fault_kinds == 7, "robochart_mutant is 7 * site + kind");
 
-/// The generated code with a call of `compared` for every comparison of a guard.
+/// Returns the generated code with a call of `compared` in place of every comparison in a guard.
 std::string with_faults(const std::string& core, int& sites) {
     static const std::regex comparison(
         R"((state_\.[\w.]+) (<|<=|>|>=|==|!=) ((?:Real|Int)\(-?[\d.]+\)|state_\.[\w.]+))");
@@ -118,12 +120,12 @@ std::string with_faults(const std::string& core, int& sites) {
     return text.substr(0, at) + faulty_comparison + text.substr(at);
 }
 
-/// Replaces a line of the core by faulty ones, which the variable selects by other numbers than those of comparisons.
+/// Replaces a line of the core by faulty ones. The variable selects them by numbers that no comparison uses.
 struct Replacement {
     std::string from, to;
 };
 
-/// Code of a machine that consists of all its mutants.
+/// The compiled code of a machine with all its mutants.
 class Mutants {
 public:
     Mutants(const std::string& text, const std::string& machine, std::vector<Replacement> replacements = {})
@@ -148,7 +150,7 @@ public:
     void select(int mutant) { *selected_ = mutant; }
     ForAllValues judge() { return judge_for_all_values(timed_, component_, *code_, {}, {}); }
 
-    /// What the selected mutant does with each of these values in a few cycles.
+    /// Returns what the selected mutant does with each of these values in a few cycles.
     std::vector<std::string> behaviours(const std::vector<NumberList>& values) {
         NumberList numbers;
         for (const NumberList& value : values) numbers.insert(numbers.end(), value.begin(), value.end());
@@ -159,7 +161,8 @@ public:
         return result;
     }
 
-    /// What the selected mutant does over doubles with each of these sequences in the first cycle that receives it.
+    /// Returns what the selected mutant does over doubles with each of these sequences, in the first cycle that
+    /// receives it.
     std::vector<std::string> on_robot(const std::vector<std::vector<double>>& sequences) {
         const rc_deployed& robot = *code_->tracking->deployed;
         NumberList numbers;
@@ -213,7 +216,8 @@ private:
         return text;
     }
 
-    /// Three cycles: the first without inputs, then the value in every register, then only events without values.
+    /// Runs three cycles: the first without inputs, then with the value in every register, then only with events
+    /// without values.
     std::string behaviour(std::uint32_t value) {
         std::vector<unsigned char> state(code_->state_size);
         code_->initial(state.data());
@@ -311,7 +315,7 @@ stm Planner {
 }
 )";
 
-/// Points on each threshold, a quarter and an eighth beside it, and beyond a thousand.
+/// Returns each threshold plus each of the distances in `beside`, in units of 1/scale.
 NumberList around(const std::vector<double>& thresholds, std::int64_t scale, const std::vector<double>& beside) {
     NumberList result;
     for (const double threshold : thresholds)
@@ -430,8 +434,9 @@ stm Scanner {
 }
 )";
 
-/// Faults in the first condition: its bound, and the places of its window, in the test that the window has a number, in
-/// the least number, or in both. Sequences are lengths, then numbers of quarters.
+/// The faults are in the first condition: in its bound, and in the places of its window. A faulty window is in the test
+/// that the window contains a number, in the least number, or in both. A sequence is written as its length, followed by
+/// its numbers in units of 1/scale.
 TEST(AllValuesOfSequences, EveryFaultyWindowIsFound) {
     const std::string window = "Interval<Nat>(Nat(2), Nat(3))";
     Mutants mutants(scanner, "Scanner",
@@ -475,7 +480,8 @@ TEST(AllValuesOfSequences, EveryFaultyWindowIsFound) {
     EXPECT_GE(survivors, 3) << "one value of each class of the model would find as much";
 }
 
-/// The literals of Side that the scanner sends, by the rules of the language over the exact values of doubles.
+/// Returns the literals of Side that the scanner sends for this scan, computed in the RoboChart semantics with the
+/// exact values of the doubles.
 std::string side_seen(const std::vector<double>& scan) {
     const auto least = [&](std::size_t first, std::size_t last) -> std::optional<double> {
         std::optional<double> result;
@@ -491,7 +497,7 @@ std::string side_seen(const std::vector<double>& scan) {
     return scan.size() > 7 ? "2 " : "";
 }
 
-/// Scans of all lengths up to 9 whose numbers in the places 1 to 4 are all combinations of these.
+/// Returns scans of all lengths up to 9. In the places 1 to 4 they have all combinations of `numbers`.
 std::vector<std::vector<double>> scans_of(const std::vector<double>& numbers) {
     std::vector<std::vector<double>> result;
     const std::size_t base = numbers.size();
@@ -506,9 +512,9 @@ std::vector<std::vector<double>> scans_of(const std::vector<double>& numbers) {
     return result;
 }
 
-/// The verdict about all sequences says what the code does over doubles: at the boundary and at the doubles beside it,
-/// the code without a fault answers as the model does, and each fault that the verdict finds has another answer for
-/// some scan. Numbers that are not next to the boundary do not show two of these faults.
+/// The verdict about all sequences is also true of the code over doubles. At the boundary, and at the doubles next to
+/// it, code without a fault answers as the model does. Each fault that the verdict finds gives another answer for some
+/// scan. With numbers that are not next to the boundary, two of these faults are not visible.
 TEST(AllValuesOfSequences, AreThoseOfDoublesBesideTheBoundary) {
     Mutants mutants(
         scanner, "Scanner",
@@ -535,7 +541,8 @@ TEST(AllValuesOfSequences, AreThoseOfDoublesBesideTheBoundary) {
         EXPECT_EQ(judged.result->outcome, Outcome::differs);
     }
     EXPECT_GE(unseen, 2);
-    // 1.1 - 0.6 is 0.5, but the double above 0.5: a difference of rounding, which the verdict does not cover.
+    // 1.1 - 0.6 is 0.5, but over doubles the result is the double above 0.5. The verdict does not cover this
+    // difference, which rounding causes.
     mutants.select(-40);
     const auto rounded = mutants.on_robot(scans);
     std::size_t differences = 0;
@@ -560,7 +567,7 @@ stm Delay {
 }
 )";
 
-/// An older input, a newer one and a constant are distinguished, although no condition reads the values.
+/// The check distinguishes an older input, a newer one and a constant, although no condition reads the values.
 TEST(AllValuesOfCopies, EveryOtherValueIsFound) {
     Mutants mutants(delay, "Delay",
                     {{"platform_.send_echo(state_.y)",
@@ -582,7 +589,7 @@ TEST(AllValuesOfCopies, EveryOtherValueIsFound) {
     EXPECT_FALSE(mutants.judge().result) << "the sum of two inputs is no form of one input";
 }
 
-/// What the code does with values beyond copies and comparisons leaves the verdict open.
+/// If the code does more with values than copy and compare them, the verdict stays open.
 TEST(AllValuesOfCopies, OtherUsesAreNotDecided) {
     Mutants mutants(thermostat, "Thermostat",
                     {{"state_.t = inputs_.degrees.get();",
@@ -604,7 +611,7 @@ TEST(AllValuesOfCopies, OtherUsesAreNotDecided) {
     EXPECT_TRUE(mutants.judge().result);
 }
 
-/// A literal with more decimals than a unit has is not rounded to a threshold of the model.
+/// A literal may have more decimals than the unit of the model. It is not rounded to a threshold of the model.
 TEST(AllValuesOfCopies, LiteralsAreNotRounded) {
     Mutants mutants(thermostat, "Thermostat",
                     {{"state_.t = inputs_.degrees.get();",
@@ -634,7 +641,8 @@ stm Gauge {
 }
 )";
 
-/// The code compares a whole number as a real one. The units of 1200.5 times those of the form do not fit into 64 bits.
+/// The code compares a whole number as a real one. The threshold 1200.5 in units, multiplied by the units of the
+/// compared form, does not fit into 64 bits.
 TEST(AllValuesOfCopies, WholeNumbersComparedAsRealsHaveTheirThresholds) {
     Mutants mutants(
         gauge, "Gauge",
@@ -650,7 +658,7 @@ TEST(AllValuesOfCopies, WholeNumbersComparedAsRealsHaveTheirThresholds) {
     EXPECT_EQ(judged.result->outcome, Outcome::differs);
 }
 
-/// Points of one period do not stand for all values, whether or not the conditions read all parts of a value.
+/// The points of one period do not represent all values, whether the conditions read all parts of a value or not.
 TEST(AllValuesOfModels, RemaindersKeepTheirCarriers) {
     for (const auto& [type, read] : {std::pair("int", "x"), std::pair("int * int", "x[1]")}) {
         test::ModelFolder folder(fmt::format(
@@ -662,7 +670,7 @@ TEST(AllValuesOfModels, RemaindersKeepTheirCarriers) {
     }
 }
 
-/// Data that are computed, and variables that are compared with each other, keep their carriers.
+/// Computed data, and variables that are compared with each other, keep their carriers.
 TEST(AllValuesOfModels, ComputedDataKeepTheirCarriers) {
     for (const char* condition : {"x < y", "x + y > 1.0", "x * x > 4.0", "x - x > since(C)"}) {
         test::ModelFolder folder(fmt::format(
@@ -675,7 +683,7 @@ TEST(AllValuesOfModels, ComputedDataKeepTheirCarriers) {
     }
 }
 
-/// The models of the reference suite that today's carriers cannot decide.
+/// Uses the models of the reference suite that the default carriers cannot decide.
 TEST(AllValuesOfModels, TheSuiteConforms) {
     const std::filesystem::path suite = tests::shared_folder() / "suite/data";
     if (!std::filesystem::exists(suite)) GTEST_SKIP() << "no shared data";

@@ -60,7 +60,7 @@ TEST(CaseStudies, NestedMachineConforms) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// There is a register for every shared variable that the machine reads.
+// Every shared variable that the machine reads has a register.
 TEST(CaseStudies, SwarmTaxisMachineConforms) {
     test::Model model("corpus/swarm_taxis");
     const Result result = conform_component(model, model.machine_named("SwarmTaxisFSM"));
@@ -85,7 +85,8 @@ TEST(CaseStudies, ControllersConform) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// Code and model advance by two time units per cycle; the operations' wait of one time unit ends within the cycle.
+// Code and model advance by two time units per cycle. The operations wait for one time unit, so the wait ends within
+// the cycle.
 TEST(CaseStudies, AggregationConformsInCyclesOfTwo) {
     Options options;
     options.cycle_length = 2;
@@ -102,7 +103,7 @@ void expect_twice(const Result& result, const std::vector<std::string>& inputs, 
     EXPECT_THAT(result.register_cycles->cycles[0].inputs, ::testing::UnorderedElementsAreArray(inputs));
 }
 
-// R4: without their waits, the operations set a speed twice if a robot is seen in the first cycle.
+// Rule R4: without their waits, the operations set a speed twice if a robot is seen in the first cycle.
 TEST(CaseStudies, AggregationWithoutWaitsSetsASpeedTwice) {
     const Result result =
         conform_module(test::changed_copy("corpus/aggregation/aggregation.rct", "; wait(1)", "").path());
@@ -119,7 +120,7 @@ TEST(CaseStudies, AggregationMachineAloneCallsAnOperationTwice) {
                 ElementsAre("MoveClockwise(-0.75, -10.88)", "RotateClockwise(-5.02)"));
 }
 
-// With {detected, turned} in one cycle, Forward is entered, left and entered again, which makes two moves.
+// If {detected, turned} occur in one cycle, the machine enters, leaves and enters Forward again, which makes two moves.
 TEST(CaseStudies, SwarmTaxisWithoutWaitsMovesTwice) {
     const Result result =
         conform_module(test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait(1)", "").path());

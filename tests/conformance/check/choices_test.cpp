@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choices that the model leaves open (reference API A6). By default the code takes the first alternative. With
+// Tests choices that the model leaves open (reference API A6). By default the code takes the first alternative. With
 // `--all-choices` the check explores every alternative, and all of them must be runs of the model.
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(Choices, TheFirstIsOneOfAll) {
     bench.explore_choices();
     const Result all = bench.check_code();
     EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
-    EXPECT_EQ(all.code_states, 4U);  // also the state Right, by t2 and j1
+    EXPECT_EQ(all.code_states, 4U);  // and the state Right, which t2 and j1 reach
 }
 
 /// A wrong target of t0 or t4 is found by default. A wrong target of t2, j1 or t5 is found only if the second
@@ -41,7 +41,7 @@ TEST(Choices, FaultsBehindOtherChoicesAreFound) {
     EXPECT_EQ(found(), 5U);
 }
 
-/// A wait of one or two units: by default the code waits one unit; the model allows both.
+/// The machine waits for one or two units. By default the code waits for one unit, but the model allows both.
 TEST(Choices, TheLengthOfAWait) {
     test::Model model(test::ModelFolder(R"(
 stm S {
@@ -62,7 +62,7 @@ stm S {
     EXPECT_GT(all.code_states, first.code_states);
 }
 
-/// Covers inner and outer transitions that are both enabled, and several machines.
+/// The models have inner and outer transitions that are both enabled, and several machines.
 TEST(Choices, CompositesAndTeams) {
     for (const char* folder :
          {"tests/conformance/models/nested", "tests/conformance/models/team", "corpus/aggregation"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of the checker. Correct controllers must conform. Each faulty controller must differ; the cycle, the inputs and
+// Tests the checker. Correct controllers must conform. Each faulty controller must differ. The cycle, the inputs and
 // the expected event follow from the model by hand.
 #include "conformance/check/conformance_check.hpp"
 
@@ -51,7 +51,7 @@ TEST(Judge, WrongArgument) {
     EXPECT_EQ(result.cycles[1].state, "state=turning");
 }
 
-// R2: an input is lost at the end of its cycle.
+// Rule R2: an input is lost at the end of its cycle.
 TEST(Judge, InputKeptForTheNextCycle) {
     const Result result = judge_turner(2);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -62,7 +62,7 @@ TEST(Judge, InputKeptForTheNextCycle) {
     EXPECT_EQ(result.expected, "end of cycle");
 }
 
-// R5: no further action follows a wait in the same cycle.
+// Rule R5: no further action follows a wait in the same cycle.
 TEST(Judge, WaitDropped) {
     const Result result = judge_turner(3);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -70,7 +70,7 @@ TEST(Judge, WaitDropped) {
     EXPECT_THAT(result.cycles[0].outputs, ElementsAre("Drive(2)", "Turn()"));
 }
 
-// R3: if an output is missing, the end of the cycle is a tock that maximal progress forbids.
+// Rule R3: if an output is missing, the end of the cycle is a tock that maximal progress forbids.
 TEST(Judge, OutputLost) {
     const Result result = judge_turner(4);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -96,7 +96,7 @@ TEST(Judge, PreconditionViolated) {
     EXPECT_THAT(result.cycles.back().inputs, ElementsAre("seeRobot"));
 }
 
-// R6: a loop without time is a divergence.
+// Rule R6: a loop without time is a divergence.
 TEST(Judge, StepBoundIsDivergence) {
     const Result result = judge_turner(7);
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -110,7 +110,7 @@ TEST(Judge, MemoryOutsideTheState) {
     EXPECT_THAT(result.reason, HasSubstr("two results"));
 }
 
-// The state contains a counter that does not affect the behaviour: the code is correct, but its states are not
+// The state contains a counter that does not affect the behaviour. So the code is correct, but its states are not
 // canonical.
 TEST(Judge, StateNotCanonical) {
     const Result result = judge_turner(9);
@@ -139,15 +139,15 @@ TEST(Judge, Termination) {
     EXPECT_EQ(goes_on.expected, "termination");
 }
 
-// The visible `terminate` of a machine (semantics 3.9) is hidden; only ✓ counts.
+// The `terminate` event of a machine is visible (semantics 3.9). The check hides it, so that only ✓ counts.
 TEST(Judge, TerminateEventIsHidden) {
     const Result result =
         judge_turner(11, {{0, "T::DriveCall.2", 1}, {1, "T::terminate", 2}, {1, "tock", 1}, {2, "tick", 3}});
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// R4: with both inputs, the same machine without its waits drives twice in a cycle. It is schedulable, but not with
-// cycles that make each output at most once. The code waits for the next cycle, so it differs.
+// Rule R4: with both inputs, the same machine without its waits drives twice in a cycle. It is schedulable, but not
+// with cycles that make each output at most once. The code waits for the next cycle, so it differs.
 TEST(Judge, OutputsAreASequence) {
     const Result result = judge_turner(0, test::turner_model(false));
     ASSERT_EQ(result.outcome, Outcome::differs);
@@ -178,7 +178,7 @@ TEST(Judge, OutputsWithoutEndAreNotSchedulable) {
     EXPECT_THAT(result.reason, HasSubstr("infinitely many steps without time passing"));
 }
 
-// R7: if the model waits for an input with a deadline of 0, time stops in the model. The code must report a missed
+// Rule R7: if the model waits for an input with a deadline of 0, time stops in the model. The code must report a missed
 // deadline there and nowhere else.
 TEST(Judge, DeadlinesOnInputsAreReportedByTheCode) {
     const std::vector<Edge> waits{{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 1}};
@@ -198,7 +198,7 @@ TEST(Judge, DeadlinesOnInputsAreReportedByTheCode) {
     EXPECT_EQ(wrong.expected, "end of cycle");
 }
 
-// R7: this model stops time without any input.
+// Rule R7: this model stops time without any input.
 TEST(Judge, TimelockOfTheModelIsNotSchedulable) {
     const Result result =
         judge_turner(0, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "tock", 2}, {2, "T::seeRobot.in", 3}});
@@ -208,7 +208,7 @@ TEST(Judge, TimelockOfTheModelIsNotSchedulable) {
     EXPECT_THAT(result.cycles[1].state, HasSubstr("s3"));
 }
 
-// R7: another machine can still take an input, but time stops after the input, too.
+// Rule R7: another machine can still take an input, but time stops after the input, too.
 TEST(Judge, ATimelockBesideAnInputIsNotSchedulable) {
     const Result result =
         judge_turner(13, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 3}, {3, "T::seeWall.in", 2}});

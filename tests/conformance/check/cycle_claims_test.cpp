@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims about control cycles: for the model in cycles, which allows every order, and for the generated code.
+// Tests claims about control cycles. They are decided for the model in cycles, which allows every order, and for the
+// generated code.
 #include "conformance/check/cycle_claims.hpp"
 
 #include <gmock/gmock.h>
@@ -27,7 +28,7 @@ stm M {
 	initial start
 )";
 
-/// A stop around a composite state: an inner transition may come first in the code.
+/// A stop leads out of a composite state. In the code, an inner transition may come before it.
 constexpr const char* nested = R"(
 	state Operating {
 		initial j
@@ -44,7 +45,8 @@ constexpr const char* nested = R"(
 	transition resume { from Emergency to Operating trigger reset }
 })";
 
-/// No nesting, the stop first in each state, and a reset that waits for the next cycle.
+/// A machine without nested states, in which stop is the first transition of each state. A reset waits for the next
+/// cycle.
 constexpr const char* flat = R"(
 	state Driving { }
 	state Held { entry halt() }
@@ -62,10 +64,10 @@ std::string word(const CycleAnswer& answer) {
     return answer.outcome == Outcome::differs ? "fails" : "inconclusive: " + answer.reason;
 }
 
-/// The order of events in a cycle, and a fault of the code that it is tested against.
+/// The order of events in a cycle, and a fault of the code that ignores this order.
 struct Order {
     bool first = false, drops = false;
-    std::optional<std::uint32_t> ignored_at = std::nullopt;  ///< the place at which the code ignores it
+    std::optional<std::uint32_t> ignored_at = std::nullopt;  ///< where the code ignores the order
 };
 
 Result result_of(const std::string& machine, const std::vector<std::string>& claims, const Order& order = {}) {
@@ -126,16 +128,17 @@ void expect_answers(const std::string& machine, const std::vector<Row>& rows, co
 
 TEST(CycleClaims, OfANestedStop) {
     expect_answers(nested, {
-                               // Counterexamples: obstacle and estop in one cycle (halt, then brake), or estop in a
-                               // cycle in which the timeout is due (reverse, then brake).
+                               // There are two counterexamples. With obstacle and estop in one cycle, the robot halts
+                               // and then brakes. With estop in a cycle in which the timeout is due, it reverses and
+                               // then brakes.
                                {"in a cycle with estop, any call but brake only after brake", "fails", "fails"},
-                               // estop and reset: brake, and Operating again
+                               // with estop and reset, it brakes and returns to Operating
                                {"in a cycle with estop, always in Emergency", "fails", "fails"},
                                {"in a cycle with estop, always in Emergency or in Operating", "holds", "holds"},
                                {"in a cycle with estop, at most 2 any call", "fails", "fails"},
                                {"in a cycle with estop, at most 3 any call", "holds", "holds"},  // reverse, brake, halt
                                {"in a cycle with obstacle, never go", "holds", "holds"},
-                               // estop in Emergency is ignored, so nothing brakes
+                               // if estop comes in Emergency, it is ignored, so nothing brakes
                                {"raised estop leads to brake within 0 units", "fails", "fails"},
                            });
 }
@@ -148,8 +151,8 @@ TEST(CycleClaims, HoldByTheOrderOfTheCodeAlone) {
                          });
 }
 
-/// With only estop raised, a timeout that is due comes first. The run shows its cycles, the answer what broke the
-/// claim.
+/// With only estop raised, a timeout that is due comes first. The run shows its cycles, and the answer shows what broke
+/// the claim.
 TEST(CycleClaims, AreShownInCycles) {
     const auto answers = answers_to(nested, {"in a cycle with estop, any call but brake only after brake"});
     ASSERT_EQ(answers.size(), 1U);
@@ -159,8 +162,8 @@ TEST(CycleClaims, AreShownInCycles) {
     EXPECT_THAT(code.reason, HasSubstr("and no brake came before"));
 }
 
-/// With estop and reset in one cycle, estop ends the scope before reset begins it, in whichever order the registers are
-/// read. Then the robot brakes in it.
+/// If estop and reset come in one cycle, estop ends the scope before reset begins it, whatever the order in which the
+/// registers are read. Then the robot brakes in the new scope.
 TEST(CycleClaims, RaisedEventsAreSimultaneous) {
     expect_answers(nested, {{"after raised reset until raised estop, never brake", "fails", "fails"},
                             {"after raised reset until raised estop, never halt", "fails", "fails"},
@@ -170,7 +173,7 @@ TEST(CycleClaims, RaisedEventsAreSimultaneous) {
 constexpr const char* brakes_first = "in a cycle with estop, any call but brake only after brake";
 constexpr const char* stops = "in a cycle with estop, always in Emergency";
 
-/// Code with a declared order conforms; the order turns the claims about the code.
+/// Code with a declared order conforms. The order changes the answers to the claims about the code.
 TEST(CycleClaims, AreTurnedByAnOrder) {
     expect_answers(nested, {{brakes_first, "fails", "fails"}, {stops, "fails", "fails"}});
     expect_answers(nested, {{brakes_first, "fails", "holds"}, {stops, "fails", "fails"}}, {.first = true});
@@ -179,16 +182,16 @@ TEST(CycleClaims, AreTurnedByAnOrder) {
                    {.first = true, .drops = true});
 }
 
-/// Without the order, a cycle with reset may end in Emergency: reset is taken first, and then estop. A reset that is
-/// dropped does not count as raised, neither for the model nor for the code.
+/// Without the order, a cycle with reset may end in Emergency, if reset is taken first, and then estop. A dropped reset
+/// does not count as raised, neither for the model nor for the code.
 TEST(CycleClaims, DoNotCountWhatIsDropped) {
     const char* const resumes = "in a cycle with reset, always in Operating";
     expect_answers(nested, {{resumes, "fails", "fails"}});
     expect_answers(nested, {{resumes, "holds", "holds"}}, {.drops = true});
 }
 
-/// Code that ignores the order somewhere differs behind the filter, or breaks a claim: in the transitions, in the
-/// cycle, or in `dispatch`.
+/// Code may ignore the order in the transitions, in the cycle, or in `dispatch`. In each case, it differs from the
+/// model under the filter, or violates a claim.
 TEST(CycleClaims, KillCodeThatIgnoresTheOrder) {
     for (const std::uint32_t place : {0U, 1U, 2U}) {
         const Result result =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the event API with the cycle API in all states and with all events, and tests the report of a difference.
-// The expected states follow from tests/conformance/models/reacts by hand.
+// The expected states follow by hand from tests/conformance/models/reacts.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -14,8 +14,8 @@ using cpp_emit::Fault;
 
 const char* const reacts = "tests/conformance/models/reacts";
 
-/// The module has two events without values, and its code has five states. In each state, no event and each event are
-/// dispatched.
+/// The module has two events without values, and its code has five states. The check dispatches each event, and no
+/// event, in each state.
 TEST(EventApi, IsComparedInEveryStateWithEveryEvent) {
     test::Model model("corpus/aggregation");
     test::Bench bench(model, model.first_module());
@@ -26,8 +26,8 @@ TEST(EventApi, IsComparedInEveryStateWithEveryEvent) {
     EXPECT_FALSE(result.api_difference);
 }
 
-/// The first exit actions are those of A for event `a`: `innerLeft = true`. One cycle with `a`, or with `v` of 1, leads
-/// to A.
+/// The faulty code omits the first exit actions, which are those of A for event `a`: `innerLeft = true`. One cycle with
+/// `a`, or with `v` of 1, leads to A.
 TEST(EventApi, ADifferenceIsReportedWithTheWayThereAndBothBehaviours) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine_named("Reacts"));
@@ -47,7 +47,7 @@ TEST(EventApi, ADifferenceIsReportedWithTheWayThereAndBothBehaviours) {
         << result.api_difference->dispatched.state;
 }
 
-/// Before the first cycle: `v` with 0 leads to Check, which has a transition without a trigger.
+/// The event comes before the first cycle. `v` with 0 leads to Check, which has a transition without a trigger.
 TEST(EventApi, WhatIsStillEnabledIsReported) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine_named("Reacts"));
@@ -64,8 +64,8 @@ TEST(EventApi, WhatIsStillEnabledIsReported) {
     EXPECT_TRUE(reported);
 }
 
-/// Without inputs, time passes only after all enabled transitions without triggers are taken. Wait is left two time
-/// units after its entry.
+/// Without inputs, time passes only after all enabled transitions without triggers. Wait is left two time units after
+/// its entry.
 TEST(EventApi, PassIsACycleWithoutInputs) {
     test::Model model(reacts);
     test::Bench bench(model, model.machine_named("Reacts"));
@@ -94,11 +94,11 @@ stm Twice {
     test::Bench bench(model, model.machine_named("Twice"));
     const Result result = bench.check_code();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
-    EXPECT_EQ(result.dispatched, 2U * 3);  // the initial state, A, B; `go` or no event
+    EXPECT_EQ(result.dispatched, 2U * 3);  // initial state, A, B; each with `go` and with no event
 }
 
 /// If the code asks its platform at choices, both APIs must ask the same questions and give the same results for every
-/// answer. If `dispatch` takes the first alternative without asking the platform, it differs from a `step` that asks.
+/// answer. A `dispatch` that takes the first alternative without asking the platform differs from a `step` that asks.
 /// This also holds if `dispatch` finds the transition in its table. In Reacts, `a` triggers a transition of A and one
 /// of an enclosing state.
 TEST(EventApi, AsksWhatTheCycleAsks) {

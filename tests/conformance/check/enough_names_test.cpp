@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests how many names a check needs so that its answer is valid for all values (docs/conformance.md, "Few values for
 // all"). The mutants are generated from changed models. The expected numbers are counted by hand: the values that a
-// model can hold after a trace and may still send, with those that it reads next, and one more.
+// model can hold after a trace and may still send, plus the values that it reads next, plus one.
 #include "conformance/check/enough_names.hpp"
 
 #include <gtest/gtest.h>
@@ -61,9 +61,9 @@ Outcome judge_mutant(NamedModel& original, const std::string& mutant_text, std::
         .outcome;
 }
 
-/// A machine that merges two senders, the first of which has priority for two time units. The model does not say which
-/// of two commands of one cycle comes first. After a trace it can hold the two commands that it has read, or one of
-/// them before it is sent; it sends no command twice.
+/// Returns a machine that merges two senders. The first sender has priority for two time units. The model does not say
+/// which of two commands of one cycle comes first. After a trace it can hold the two commands that it has read, or one
+/// of them before it is sent. It sends no command twice.
 std::string merge(const std::string& to_held, const std::string& in_free, const std::string& more = "") {
     return "stm Merge { event first : R event second : R event out_ : R clock T var t : R " + more +
            " initial i\n"
@@ -97,16 +97,16 @@ TEST(EnoughNames, FindWrongCode) {
     const std::string older = "second ? t action out_ ! older ; older = t";
     const std::string mutants[] = {
         merge(from_first, older, "var older : R"),                           // the command before this one
-        merge(from_first, "second ? t action out_ ! none", "var none : R"),  // always the same command
+        merge(from_first, "second ? t action out_ ! none", "var none : R"),  // the same command each time
         merge("second ? t", "first ? t action out_ ! t"),                    // the senders are exchanged
-        merge(from_first, "second ? t"),                                     // the second sender is not heard
+        merge(from_first, "second ? t"),                                     // the second sender is ignored
     };
     EXPECT_EQ(judge_mutant(original, merge(from_first, send_second), 3), Outcome::conforms);
     for (const std::string& mutant : mutants) EXPECT_EQ(judge_mutant(original, mutant, 3), Outcome::differs) << mutant;
 }
 
-/// A machine that stores the last of four commands. It sends a and b and then must send `last`, or it begins with
-/// another command and then sends b and c.
+/// Returns a machine that stores the last of four commands. It sends a and b and then must send `last`, or it begins
+/// with another command and then sends b and c.
 std::string chain(const std::string& last) {
     return "stm Chain { event one : R event answer : R var a : R var b : R var c : R\n"
            "var old : R initial i state A { } state B { } state C { } junction j junction k\n"
@@ -126,8 +126,8 @@ std::string chain(const std::string& last) {
 }
 
 /// The mutant sends a, b and c instead of a, b and `old`. If two of the four commands are equal, the model may send a,
-/// b and c too: it may have taken another way. So four different commands are needed: three names and the initial
-/// value.
+/// b and c too, because it may have taken another path. So four different commands are needed: three names and the
+/// initial value.
 TEST(EnoughNames, TooFewHideADifference) {
     NamedModel original(chain("old"));
     EXPECT_EQ(judge_mutant(original, chain("c"), 2), Outcome::conforms) << "the test has lost its meaning";
@@ -150,7 +150,7 @@ TEST(EnoughNames, AreUnknownIfTheModelMaySendMoreAndMoreValues) {
     EXPECT_NE(result.reason.find("may still be written"), std::string::npos) << result.reason;
 }
 
-/// A specification without a choice needs two names, however many values it holds.
+/// A specification without a choice needs two names, whatever the number of values that it holds.
 TEST(EnoughNames, AreTwoWithoutAChoice) {
     NamedModel subject(
         "stm S { event one : R event go event answer : R var x : R var y : R var z : R\n"

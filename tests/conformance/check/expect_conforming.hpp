@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An expectation that most tests of `conform` share.
+// Checks that generated code conforms, which most tests of `conform` expect.
 #pragma once
 
 #include <fmt/format.h>

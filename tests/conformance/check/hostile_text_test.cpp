@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Escapes text for a RoboChart literal: quotes and backslashes get a backslash; line ends and tabs become `\n` and
+/// Escapes text for a RoboChart literal. Quotes and backslashes get a backslash, and line ends and tabs become `\n` and
 /// `\t`.
 std::string escape_text(const std::string& text) {
     std::string result = "\"";
@@ -33,7 +33,7 @@ std::string escape_text(const std::string& text) {
     return result + '"';
 }
 
-/// A machine with strings as values of events, variables, constants, conditions, predicates and assignments.
+/// Returns a machine with strings as values of events, variables, constants, conditions, predicates and assignments.
 std::string machine(const std::string& text) {
     const std::string literal = escape_text(text);
     return "stm S { event e : string event f : string event g var s : string var b : boolean const c : string = " +

@@ -13,7 +13,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// objects/turner.cpp: each of these values of FAULT changes an output, the end of a cycle, or termination.
+/// In objects/turner.cpp, each of these values of FAULT changes an output, the end of a cycle, or termination.
 constexpr int bad[] = {1, 2, 3, 4, 5, 6, 7, 11};
 
 class Loaded {
@@ -54,7 +54,7 @@ TEST(KnownBad, PairsAreReportedBadInAnyOrder) {
     }
 }
 
-/// This model allows less, so a controller that was correct becomes faulty.
+/// This model allows less, so a controller that conforms to the other model becomes faulty.
 TEST(KnownBad, ASmallerModelFindsTheRightControllerWrong) {
     Loaded loaded;
     auto edges = test::turner_model();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A limit may turn an answer into "inconclusive", but never into another answer. The tests vary the numbers of walks
-// and threads and the amount of memory.
+// Tests that a limit may turn an answer into "inconclusive", but never into another answer. The tests vary the numbers
+// of walks and threads and the amount of memory.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 struct Subject {
     std::string folder;
-    std::string machine;  ///< "": the module, or the controller if there is no module
+    std::string machine;  ///< "" for the module, or the controller if there is no module
 };
 
 std::vector<Subject> test_subjects() {
@@ -94,7 +94,7 @@ TEST(Limits, NeverTurnAnAnswerIntoAnother) {
     }
 }
 
-/// With a limit, the check of faulty code finds the difference or is inconclusive.
+/// With a limit, the check of faulty code must find the difference or be inconclusive.
 TEST(Limits, NeverExcuseAFault) {
     test::Model model("corpus/aggregation");
     for (const cpp_emit::Fault fault : {cpp_emit::Fault::action_dropped, cpp_emit::Fault::entry_dropped})
@@ -109,7 +109,7 @@ Result unlimited_and_limited(const std::string& text, const std::string& machine
     return limited.judge({});
 }
 
-/// An unconnected trigger is always enabled: the model of Spin diverges, and so does its code.
+/// An unconnected trigger is always enabled, so the model of Spin diverges, and so does its code.
 TEST(Limits, OfAModelThatDiverges) {
     const Result result = unlimited_and_limited(R"(
 interface Passes { event given : nat event taken : nat }
@@ -152,7 +152,7 @@ stm Sends {
     EXPECT_EQ(result.cycles.back().inputs, std::vector<std::string>{"go"});
 }
 
-/// A cycle with many outputs is not an endless loop: the log grows, and the code stays below its bound of steps.
+/// A cycle with many outputs is not an endless loop. The log grows, and the code stays below its bound of steps.
 TEST(Limits, OfACycleWithManyOutputs) {
     const test::ModelFolder folder(R"(
 stm Counts {
@@ -190,7 +190,7 @@ stm Asks {
     ASSERT_TRUE(result.deadlines && result.register_cycles);
     EXPECT_FALSE(result.register_cycles->holds);
     EXPECT_FALSE(result.deadlines->holds);
-    // The answer may come in the same cycle as the question or in the next one, which is the latest.
+    // The answer may come in the cycle of the question, or at the latest in the next one.
     ASSERT_EQ(result.deadlines->cycles.size(), 2U);
 }
 

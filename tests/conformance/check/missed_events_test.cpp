@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds events that are raised without effect: which events, for how many consecutive cycles, and the state of the
-// machine during these cycles.
+// Tests the search for events that are raised without effect. It finds which events these are, for how many consecutive
+// cycles, and the state of the machine during these cycles.
 #include "conformance/check/missed_events.hpp"
 
 #include <gmock/gmock.h>
@@ -29,8 +29,8 @@ std::vector<MissedEvent> missed_in(const std::string& members, std::uint32_t cyc
     return result.missed;
 }
 
-// The cycle that takes f starts a wait of four units. The wait spans three more cycles; the fourth one, in which it is
-// over, takes e.
+// The cycle that takes f starts a wait of four units, which spans three more cycles. The wait is over in the fourth
+// cycle, which takes e.
 TEST(MissedEvents, OfAnEntryActionThatWaits) {
     const auto missed = missed_in(R"(
         state B { entry wait(4) }
@@ -53,7 +53,7 @@ TEST(MissedEvents, NoneWhereAnActionEndsWithItsCycle) {
     EXPECT_EQ(missed_in(members).front().cycles, 1U);
 }
 
-// t1 leads from A, which waits for f, to B, which waits for e. While the action of t1 runs, both are missed.
+// t1 leads from A, which waits for f, to B, which waits for e. While the action of t1 runs, both events are missed.
 TEST(MissedEvents, OfAnActionOfATransition) {
     const auto missed = missed_in(R"(
         state B { }
@@ -83,7 +83,7 @@ TEST(MissedEvents, WithoutBoundWhereActionsFollowEachOther) {
     EXPECT_EQ(missed[0].cycles, std::nullopt);
 }
 
-// A state that f leaves has a transition whose condition never becomes true.
+// The transition with e has a condition that never becomes true. f leaves the state.
 TEST(MissedEvents, WhereNoConditionHolds) {
     const auto missed = missed_in(R"(
         var n : nat
@@ -98,8 +98,8 @@ TEST(MissedEvents, WhereNoConditionHolds) {
     EXPECT_THAT(missed[0].reasons.at(0).places, ElementsAre(HasSubstr("M::B")));
 }
 
-// f resets C in the cycle that enters B. The next three cycles start in the entry action (it ends in the last of them,
-// when C is 3). The cycle after them starts in B with C = 4. The condition holds at 5.
+// f resets C in the cycle that enters B. The next three cycles start in the entry action, which ends in the last of
+// them, when C is 3. The cycle after them starts in B with C = 4. The condition holds at 5.
 TEST(MissedEvents, CountsBothReasonsInARow) {
     const auto missed = missed_in(R"(
         clock C
@@ -116,8 +116,8 @@ TEST(MissedEvents, CountsBothReasonsInARow) {
     EXPECT_EQ(missed[0].reasons[1].cycles, 1U);
 }
 
-// A during action disables no transition, a state without e does not wait for it, and a transition without a condition
-// takes it.
+// No event is missed: a during action disables no transition, a state without a transition for e does not wait for e,
+// and a transition without a condition takes it.
 TEST(MissedEvents, NoneWhereEachIsTakenOrNotAwaited) {
     EXPECT_THAT(missed_in(R"(
         var n : nat

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// If generated code differs from its model, the report shows the model's run up to the difference, for every kind of
-// search. The report also shows runs that explain notes on deadlines and repeated outputs.
+// Tests that if generated code differs from its model, the report shows the model's run up to the difference, for every
+// kind of search. The report also shows runs that explain notes on deadlines and repeated outputs.
 #include "conformance/check/model_run.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ Result with_fault(const std::string& text, cpp_emit::Fault fault, std::uint64_t 
     return conform(model.system, model.instantiation, model.machine_named("M"), options, model.sources, found);
 }
 
-/// The events of a run, without entries and exits of states.
+/// Returns the events of a run, without entries and exits of states.
 std::vector<std::string> event_texts(const runs::Run& run) {
     std::vector<std::string> result;
     for (const runs::Step& step : run.steps)
@@ -94,7 +94,7 @@ TEST(ModelRun, IsFoundForPartialReadings) {
     }
 }
 
-// x is output twice in the cycle of `go`; the run ends before the second output.
+// x is output twice in the cycle of `go`, so the run ends before the second output.
 TEST(ModelRun, ShowsWhereAnOutputIsMadeTwice) {
     const Result result = with_fault(R"(stm M { event go event x : nat initial i state Idle { }
 state B { entry x!1 ; x!2 } transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })",

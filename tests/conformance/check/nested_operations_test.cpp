@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations that call operations. If an operation requires a variable, it uses the variable with that name in its
-// caller's scope (semantics 3.8): the caller's own variable or clock, the machine's, or one that the caller itself
+// Tests operations that call operations. If an operation requires a variable, it uses the variable with that name in
+// its caller's scope (semantics 3.8): the caller's own variable or clock, the machine's, or one that the caller itself
 // requires.
 #include <gtest/gtest.h>
 
@@ -96,8 +96,8 @@ TEST(NestedOperations, AClockThatOnlyTheInnerOperationReads) {
         shows + " }\n");
 }
 
-/// The caller's during action runs the operation at the same time as its exit action or transition: all share one
-/// variable.
+/// The caller's during action runs the operation at the same time as its exit action or transition, so all of them
+/// share one variable.
 TEST(NestedOperations, CalledByDuringActionsOfTheCallingOperation) {
     expect_conforming(
         interfaces +
@@ -113,7 +113,7 @@ TEST(NestedOperations, CalledByDuringActionsOfTheCallingOperation) {
         shows + " connection K on go to S on go }\n");
 }
 
-/// The value sent to another machine comes from the caller's variable, and a received value goes to it.
+/// The machine sends the value of the caller's variable to another machine, and stores a received value in it.
 TEST(NestedOperations, TheirVariablesInARendezvous) {
     expect_conforming(
         interfaces +
@@ -165,8 +165,8 @@ TEST(NestedOperations, InSeveralMachines) {
                       shows + " connection R on o to K on o2 }\n");
 }
 
-/// No operation reads the controller's shared variable. The variables with its name that they read belong to their
-/// callers.
+/// No operation reads the controller's shared variable. The operations read variables with the same name that belong to
+/// their callers.
 TEST(NestedOperations, AnOperationsVariableIsNotTheSharedOneOfItsName) {
     expect_conforming(interfaces +
                       "operation inner() { requires Level event o : nat initial i final f\n"

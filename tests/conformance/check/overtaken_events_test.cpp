@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds events of outer states that are processed second in a cycle, after an event of an inner state or after a
-// timeout, and the states in which this happens.
+// Tests the search for events of outer states that are processed second in a cycle, after an event of an inner state or
+// after a timeout. The search also finds the states in which this happens.
 #include "conformance/check/overtaken_events.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The overtaken events of a robot with an emergency stop around a composite state with these members.
+/// Returns the overtaken events of a robot. It has an emergency stop around a composite state with these members.
 std::vector<OvertakenEvent> overtaken_in(const std::string& inside) {
     const test::ModelFolder folder(
         "interface Motion { go() halt() brake() }\n"
@@ -33,7 +33,7 @@ std::vector<OvertakenEvent> overtaken_in(const std::string& inside) {
     return result.overtaken;
 }
 
-// With both events the code halts and then brakes; with only `stop` it brakes.
+// With both events, the code halts and then brakes. With only `stop`, it brakes.
 TEST(OvertakenEvents, OfAnOuterStateAfterThoseOfAnInnerOne) {
     const auto overtaken = overtaken_in(R"(
         state Driving { }
@@ -48,7 +48,7 @@ TEST(OvertakenEvents, OfAnOuterStateAfterThoseOfAnInnerOne) {
     EXPECT_THAT(overtaken[0].places, ElementsAre(HasSubstr("Driving ("), HasSubstr("Held (")));
 }
 
-// Driving has a timeout two units after its entry: in that cycle `stop` is processed second.
+// Driving has a timeout two units after its entry. In that cycle `stop` is processed second.
 TEST(OvertakenEvents, AfterATimeoutThatIsDue) {
     const auto overtaken = overtaken_in(R"(
         state Driving { }
@@ -61,7 +61,8 @@ TEST(OvertakenEvents, AfterATimeoutThatIsDue) {
     EXPECT_THAT(overtaken[0].by, IsEmpty());
 }
 
-// The exit action halts in both cases, so it does not show that `obstacle` was processed first; the brake does.
+// With `obstacle` and without it, the exit action halts and then the robot brakes. So the outputs do not show that
+// `obstacle` was processed first.
 TEST(OvertakenEvents, AreNotShownByAnExitActionThatBothShare) {
     EXPECT_THAT(overtaken_in(R"(
         state Driving { exit halt() }

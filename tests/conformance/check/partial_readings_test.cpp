@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search over partial readings scales to models for which the search over all valuations is infeasible.
+// Tests that the search over partial readings scales to models for which the search over all valuations is infeasible.
 // reading_on_demand_test.cpp compares the results of both.
 #include "conformance/check/partial_readings.hpp"
 
@@ -15,8 +15,8 @@ namespace robochart::conformance {
 namespace {
 
 /// Each state takes one of sixteen events. There are 65,536 valuations, and each state of NF could store as many
-/// contents of registers. However, a cycle without the state's event changes nothing, and a cycle with the event reads
-/// at most the next event.
+/// contents of registers. But a cycle without the state's event changes nothing, and a cycle with the event reads at
+/// most the next event.
 TEST(PartialReadings, ScaleToManyEvents) {
     std::string text = "stm Ring {\n initial i transition t { from i to S0 }\n event x : nat\n";
     constexpr int states = 16;

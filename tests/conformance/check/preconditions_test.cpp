@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preconditions of functions (semantics 3.5). For every position of an expression, the code checks the precondition as
-// the model does, and waits if the model waits. Each row conforms, although the precondition is false in some of its
+// Tests preconditions of functions (semantics 3.5). Wherever an expression may occur, the code checks the precondition
+// as the model does, and waits if the model waits. Each row conforms, although the precondition is false in some of its
 // runs. Code that does not check the precondition (Fault::function_precondition_dropped) does not conform.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -15,10 +15,10 @@ namespace {
 
 struct Position {
     const char* name;
-    const char* body;  ///< body of the machine; % stands for the expression
+    const char* body;  ///< body of the machine, in which % stands for the expression
 };
 
-/// `x` is the last received value; `go` leads from A to B, and `stop` back.
+/// `x` is the last received value. `go` leads from A to B, and `stop` leads back.
 const char* const two_states = "state A { } state B { } transition back { from B to A trigger stop }";
 
 const Position positions[] = {
@@ -74,7 +74,7 @@ std::ostream& operator<<(std::ostream& out, const Called& called) {
     return out << called.text;
 }
 
-/// Functions of the number x that return x if x > 0. Otherwise x is outside their precondition.
+/// Functions of the number x, which return x if x > 0. Otherwise x violates their precondition.
 const Called functions[] = {{"OfTheModel", "some(x)"}, {"OfAToolkit", "head(if x > 0 then <x> else <> end)"}};
 
 /// Shapes of expressions that contain a call.
@@ -176,7 +176,7 @@ TEST(PreconditionsOfInputs, AreAskedOfTheIncomingValue) {
     expect_asked("state A { } transition t1 { from A to A trigger go action in1[| some(y) >= 0 |]?y ; act(y) }");
 }
 
-// The deadline of a statement that waits forever expires: time stops in the model, so it is not schedulable.
+// The deadline of a statement that waits forever expires. Time stops in the model, so the model is not schedulable.
 TEST(PreconditionsUnderADeadline, StopTimeWhenItIsOver) {
     const test::ModelFolder folder(model_of(insert_expression(
         "2 transition t1 { from A to B trigger go action (wait(some(x)) ; act(2)) <{1} ; act(1) }", "")));
@@ -195,7 +195,8 @@ Result conformance_of(const std::string& text) {
     return conform(model.system, model.instantiation, model.first_module(), {}, model.sources, found);
 }
 
-/// Checks that the difference is the model's: the precondition is false, and both stop at the call in this line.
+/// Checks that the difference comes from the model: the precondition is false, and both model and code stop at the call
+/// in this line.
 void expect_false_precondition(const Result& result, const std::string& condition, const std::string& line_of_call) {
     EXPECT_EQ(result.outcome, Outcome::differs) << condition << result.reason;
     EXPECT_EQ(result.reason, "the precondition `" + condition + "` of op is false");
@@ -217,7 +218,8 @@ TEST(PreconditionsOfOperations, AreReportedWhereAFunctionInThemHasNoValue) {
             condition, "9");
 }
 
-// Neither what follows the call nor another machine or during action does anything in the rest of the cycle.
+// After the call, nothing happens in the rest of the cycle: the machine does not continue, and neither does another
+// machine or a during action.
 TEST(PreconditionsOfOperations, StopTheCycleAtTheCall) {
     const char* const bodies[] = {"2 transition t1 { from A to B trigger go action act(1) ; op(x) ; act(2) ; tell!2 }",
                                   "state A { } state B { entry act(1) ; op(x) ; act(2) during act(2) } "
@@ -239,7 +241,7 @@ TEST(PreconditionsOfOperations, AreNamedOneByOne) {
     expect_false_precondition(result, "n < 2", "9");
 }
 
-// A fault of the code that calls an operation outside its precondition is not blamed on the model.
+// If the code has a fault and calls an operation outside its precondition, the report does not blame the model.
 TEST(PreconditionsOfOperations, AreNotBlamedOnTheModelIfTheCodeIsWrong) {
     const test::ModelFolder folder(
         model_of(insert_expression("2 transition t1 { from A to B trigger go action op(2) ; act(1) }", ""),
@@ -255,8 +257,8 @@ TEST(PreconditionsOfOperations, AreNotBlamedOnTheModelIfTheCodeIsWrong) {
     EXPECT_EQ(result.explanation.rule, nullptr);
 }
 
-// A during action that waits forever is interrupted when its state is left. This is the smallest model that once
-// failed.
+// A during action that waits forever is interrupted when its state is left. This is the smallest model for which the
+// code was once wrong.
 TEST(PreconditionsOfFunctions, HoldUpADuringActionUntilItsStateIsLeft) {
     const test::ModelFolder folder(
         "interface Acts { act(n : nat) } function f() : nat { precondition false }\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilistic junctions are a nondeterministic choice in the semantics. In the code the platform draws the
-// alternative; the check explores all alternatives.
+// Tests probabilistic junctions. In the semantics they are a nondeterministic choice. In the code the platform draws
+// the alternative, and the check explores all alternatives.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -30,7 +30,7 @@ stm S {
 }
 )";
 
-/// Probabilities in all forms that models use: quotients, constants, the remainder to one.
+/// The model writes probabilities in all forms: quotients, constants, the remainder to one.
 TEST(Probabilistic, ChancesAreExpressions) {
     const std::string model_text(text);
     const std::pair<const char*, const char*> chances[] = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random walks for components that are too large for exhaustive checks. They find seeded faults, report them with small
-// counterexamples, and claim nothing if they find none.
+// Tests random walks for components that are too large for exhaustive checks. They find seeded faults, report them with
+// small counterexamples, and claim nothing if they find none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ TEST(Walks, ClaimNothingOfACorrectController) {
     EXPECT_GE(result.code_states, 2U);
 }
 
-/// The faults of objects/turner.cpp that the exhaustive check finds (conformance_check_test.cpp) and that are visible
-/// in traces or refusals.
+/// Uses the faults of objects/turner.cpp that the exhaustive check finds (conformance_check_test.cpp) and that are
+/// visible in traces or refusals.
 TEST(Walks, FindTheFaultsOfControllersWrittenByHand) {
     for (const int fault : {1, 2, 3, 4, 5}) {
         const Result result = walk_by_hand(fault);
@@ -60,7 +60,7 @@ TEST(Walks, AreTheSameForTheSameSeed) {
     EXPECT_EQ(one.cycles.size(), two.cycles.size());
 }
 
-/// `conform` with a limit that the exhaustive check reaches immediately.
+/// Runs `conform` with a limit that the exhaustive check reaches immediately.
 TEST(Walks, FollowWhereALimitIsReached) {
     test::Model project("corpus/swarm_taxis");
     Options options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search that reads registers on demand has the same results as the search over all valuations, and its size does
-// not double with each input.
+// Tests that the search that reads registers on demand has the same results as the search over all valuations. Tests
+// also that its size does not double with each input.
 #include "conformance/check/reading_on_demand.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// Faults whose code compiles.
+/// The faults that leave the code compilable.
 constexpr std::array faults{cpp_emit::Fault::none,
                             cpp_emit::Fault::guard_negated,
                             cpp_emit::Fault::action_dropped,
@@ -107,8 +107,8 @@ TEST(ReadingOnDemand, AgreesWithAllInputsForSeededFaults) {
     EXPECT_GT(different, 12U);
 }
 
-/// The code of the model of a seed, with this fault at its first place; null if the model has no code, or no such
-/// place.
+/// Generates the code of the model of this seed, with the fault at its first place. Returns null if the model has no
+/// code, or the code has no such place.
 std::unique_ptr<Candidate> random_candidate(std::uint64_t seed, cpp_emit::Fault fault, Options options) {
     const auto loaded = random_models::load(random_models::well_formed(seed, test::core_shape(seed)));
     if (loaded->findings.error_count() > 0) return nullptr;
@@ -157,7 +157,7 @@ TEST(ReadingOnDemand, AgreesWithAllInputsOnRandomModels) {
     compare_on_random_models(1, 40);
 }
 
-/// For campaigns: ROBOCHART_ON_DEMAND is the first seed of 400 models.
+/// Compares many models for campaigns: ROBOCHART_ON_DEMAND is the first seed of 400 models.
 TEST(ReadingOnDemand, Campaign) {
     const char* const seed = std::getenv("ROBOCHART_ON_DEMAND");
     if (seed == nullptr) GTEST_SKIP() << "ROBOCHART_ON_DEMAND is not set";
@@ -165,7 +165,7 @@ TEST(ReadingOnDemand, Campaign) {
         compare_on_random_models(std::strtoull(seed, nullptr, 10) + 1000 * part, 40);
 }
 
-/// A state that takes any of its events, and one that takes none of them.
+/// Returns a machine in which one state takes any of its events, and another state takes none of them.
 std::string hub(int events) {
     std::string text =
         "stm Hub {\n initial i state Idle { } state Hub { }\n event x : nat\n event go\n event back\n"
@@ -195,7 +195,7 @@ TEST(ReadingOnDemand, GrowsSlowlyWithTheNumberOfEvents) {
     EXPECT_LT(many.product.states, 100'000U);
 }
 
-/// The model takes `e1` in no state that it reaches; the code of the other model reads it there.
+/// The model takes `e1` in no state that it reaches, but the code of the other model reads it.
 TEST(ReadingOnDemand, EventsThatTheModelAwaitsNowhereAreTried) {
     const std::string head = "stm S {\n initial i state A { } state B { } state C { }\n event x : nat\n";
     std::string events;
@@ -213,7 +213,7 @@ TEST(ReadingOnDemand, EventsThatTheModelAwaitsNowhereAreTried) {
     const Alphabet alphabet(bench.interface(), bench.session().event_table());
     ModelGraph graph(bench.system(), alphabet);
     EXPECT_EQ(refined_on_demand(graph, alphabet, same->interface(), 1, {}).outcome, Outcome::conforms);
-    // Taking e1 without an effect is no difference; with an output it is.
+    // If the code takes e1 without an effect, it does not differ. If it makes an output, it differs.
     EXPECT_EQ(refined_on_demand(graph, alphabet, different->interface(), 1, {}).outcome, Outcome::conforms);
     const test::ModelFolder third(head + events + ways + " transition b { from A to A trigger e1 action x!2 }\n}\n");
     test::Model writes(third.path());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models that random tests found. For each of them, the generated code once did not compile without warnings, or
+// Tests models that random tests found. For each of them, the generated code once did not compile without warnings, or
 // differed from its model.
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// Checks that the first module conforms or, if the model has no module, the machine S.
+/// Checks that the first module conforms, or the machine S if the model has no module.
 void expect_conformance_of(const std::string& text) {
     const test::ModelFolder folder(text);
     test::Model model(folder.path());
@@ -97,7 +97,7 @@ TEST(Regressions, AValueFromABufferThatNobodyReadsIsDropped) {
         "module M { robotic platform P { } cref b = B cref c = C connection b on o to c on e ( _async ) }\n");
 }
 
-/// The guard was false immediately before T is reset.
+/// The guard is false immediately before the clock T is reset.
 TEST(Regressions, ADeadlineBeginsAnewWhereAClockEndsItsGuard) {
     expect_conformance_of(machine("event g clock T",
                                   "state A { initial j state B { } transition u0 { from j to B }\n"
@@ -141,7 +141,7 @@ TEST(Regressions, ANegatedNaturalNumberIsAnInteger) {
     expect_conformance_of(machine("const k : nat = 2 var z : int", "state A { entry z = -k; move(z == -2) }"));
 }
 
-/// The operation's own variable is read only inside the operation, and the result only after the call.
+/// The operation's own variable is read only inside the operation. The result is read only after the call.
 TEST(Regressions, AnOperationComputesFromItsInitialValues) {
     expect_conformance_of(
         "interface V { var v : boolean } interface Ops { op() }\n"
@@ -153,7 +153,7 @@ TEST(Regressions, AnOperationComputesFromItsInitialValues) {
         "module M { robotic platform P { event out } cref c = C connection c on out to P on out (_async) }\n");
 }
 
-/// Both forms of index select an entry; the second one selects it from a row.
+/// Both forms of index select an entry. The second one selects it from a row.
 TEST(Regressions, EntriesOfMatricesAreAssigned) {
     expect_conformance_of(
         "stm S { event e : matrix(boolean, 2, 2) event out : matrix(boolean, 2, 2) var m : matrix(boolean, 2, 2)\n"
@@ -169,7 +169,7 @@ TEST(Regressions, TheEmptyStringIsTheEmptySequence) {
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
-/// A module whose platform provides the variables in `shared` and sends e, with a machine S.
+/// Returns a module with a machine S. Its platform provides the variables in `shared` and sends e.
 std::string with_platform(const std::string& shared, const std::string& before, const std::string& body) {
     return "record Spot { at : nat free : boolean }\n"
            "interface V { " +
@@ -184,7 +184,7 @@ std::string machine_alone(const std::string& shared, const std::string& body) {
         shared, "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n", body);
 }
 
-/// The platform receives the whole variable, so the other parts are used too.
+/// The platform receives the whole variable, so it also uses the parts that the machine does not read.
 TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
     expect_conformance_of(machine_alone(
         "var t : nat * boolean var s : Spot var q : Seq(boolean) = <true, true> var v : vector(boolean, 2)\n"
@@ -205,7 +205,7 @@ TEST(Regressions, PartsOfVariablesAreAssignedInEveryKindOfAction) {
         "transition t1 { from A to B trigger e?f action b[2] = false } transition t2 { from B to A trigger e?f }"));
 }
 
-/// A variable may be read only by a deadline or a wait.
+/// Some variables are read only by a deadline or a wait.
 TEST(Regressions, DurationsReadVariables) {
     for (const std::string type : {"nat", "int"}) {
         const std::string shared = "var d : " + type;
@@ -224,7 +224,7 @@ TEST(Regressions, DurationsReadVariables) {
     }
 }
 
-/// Conditionals, implications and sums in every position at which the generator composes C++ text.
+/// The models have conditionals, implications and sums in every position at which the generator composes C++ text.
 TEST(Regressions, LowPrecedenceOperandsAreParenthesised) {
     expect_conformance_of(
         "record R { a : nat f : boolean }\n"
@@ -266,7 +266,7 @@ TEST(Regressions, LowPrecedenceOperandsAreParenthesised) {
         "transition t4 { from B to A action c = b; n = 1; q = <1> } }\n");
 }
 
-/// Expressions with commas outside parentheses.
+/// The expressions contain commas outside parentheses.
 TEST(Regressions, PreconditionsHoldAnyExpression) {
     expect_conformance_of(
         "interface Ops { op(n : nat) }\n"
@@ -291,7 +291,7 @@ TEST(Regressions, APackageInsideAnotherIsCalledLikeTheRuntime) {
     expect_conformance_of("package a::robochart\n" + machine("clock T", "state A { entry wait(1) ; move(x) }"));
 }
 
-/// The states of operations are members with the operations' names.
+/// The code stores the states of operations in members with the operations' names.
 TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
     const std::string body =
         " initial i state A { entry wait(1) } final f transition t { from i to A }\n"
@@ -307,8 +307,8 @@ TEST(Regressions, OperationsAreCalledLikeTypesOfTheCode) {
         "module M { robotic platform P { } cref c = C }\n");
 }
 
-/// Types that occur only in calls of toolkit functions need distinct names. Without names, one of two tuple types
-/// replaced the other.
+/// Types that occur only in calls of toolkit functions need distinct names. Without such names, one of two tuple types
+/// once replaced the other.
 TEST(Regressions, TuplesThatOnlyToolkitFunctionsNeed) {
     expect_conformance_of(
         "import relation_toolkit::*\n" +

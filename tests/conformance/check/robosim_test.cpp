@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the code of RoboSim machines with the machines themselves (docs/conformance.md, "RoboSim"), for cycles of
-// one and of two time units. The rules are those of docs/robosim.md. Each kind of fault of a frame of cycles is killed
-// by a model that is written for it.
+// one and of two time units. docs/robosim.md contains the rules. For each kind of fault in the code of cycles, a model
+// is written that kills it.
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
@@ -18,14 +18,14 @@ public:
     explicit RobosimModel(const std::string& text) { write("model.rst", text); }
 };
 
-/// The outermost component: the module, the controller, or the machine S.
+/// Returns the outermost component: the module, the controller, or the machine S.
 ir::ComponentRef whole_of(const test::Model& model) {
     if (!model.system.modules.empty()) return model.first_module();
     if (!model.system.controllers.empty()) return model.first_controller();
     return model.machine_named("S");
 }
 
-/// Checks the code of the outermost component, with a fault and with cycles of this length.
+/// Checks the code of the outermost component, with this fault and with cycles of this length.
 Result check(const std::string& text, std::uint32_t cycle, Fault fault = Fault::none, std::uint32_t site = 0) {
     const RobosimModel folder(text);
     test::Model model(folder.path());
@@ -45,7 +45,7 @@ void expect_conforming(const std::string& text) {
     }
 }
 
-/// At least one place of the fault makes the code differ.
+/// Checks that the fault makes the code differ for at least one place of the fault.
 void expect_killed(const std::string& text, std::uint32_t cycle, Fault fault) {
     ASSERT_EQ(check(text, cycle).outcome, Outcome::conforms) << text;
     bool killed = false;
@@ -54,7 +54,7 @@ void expect_killed(const std::string& text, std::uint32_t cycle, Fault fault) {
     EXPECT_TRUE(killed) << "fault " << static_cast<int>(fault) << text;
 }
 
-/// A value that is received, stored at a transition with `exec`, and sent in the next cycle.
+/// The machine receives a value, stores it at a transition with `exec`, and sends it in the next cycle.
 const char* const stored = R"(
 enumeration Three { one two three }
 stm S {
@@ -86,7 +86,7 @@ stm S {
 }
 )";
 
-/// `since(C) == 1` never holds when a cycle of two time units begins.
+/// `since(C) == 1` never holds at the beginning of a cycle of two time units.
 const char* const waiting = R"(
 stm S {
     cycleDef cycle == 1
@@ -103,7 +103,8 @@ stm S {
 }
 )";
 
-/// A during action ends the cycle, or the transition is taken before. After the end, only the next register counts.
+/// Either a during action ends the cycle, or the transition is taken before it does. After the end of the cycle, only
+/// the next register counts.
 const char* const moves = R"(
 stm S {
     cycleDef cycle == 1
@@ -119,7 +120,7 @@ stm S {
 }
 )";
 
-/// `exec` between the statements of an action, and in an exit action.
+/// `exec` occurs between the statements of an action, and in an exit action.
 const char* const actions = R"(
 stm S {
     cycleDef cycle == 1
@@ -176,7 +177,7 @@ stm S {
 }
 )";
 
-/// A machine that ends, in one of two ways that a junction chooses.
+/// A machine that terminates in one of two ways, between which a junction chooses.
 const char* const ends = R"(
 stm S {
     cycleDef cycle == 1
@@ -194,7 +195,8 @@ stm S {
 }
 )";
 
-/// Machines of two controllers: an event between machines, and an event between controllers.
+/// Machines of two controllers communicate: one event connects machines of a controller, another connects the
+/// controllers.
 const char* const together = R"(
 stm W {
     cycleDef cycle == 1
@@ -256,7 +258,7 @@ module M {
 }
 )";
 
-/// Two machines read one input. Nothing is connected to one input and one output.
+/// Two machines read one input. One input and one output are not connected.
 const char* const shared_input = R"(
 stm A {
     cycleDef cycle == 1
@@ -292,7 +294,7 @@ controller C {
 }
 )";
 
-/// Two machines call one operation in the same cycle: the second call waits for ever.
+/// Two machines call one operation in the same cycle. The second call waits forever.
 const char* const both_call = R"(
 interface Op { go(n : boolean) }
 stm A {

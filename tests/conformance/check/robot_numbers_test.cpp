@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code with the numbers of the robot (docs/conformance.md, "Numbers on the robot"). The comments state the doubles from
-// which the expected answers follow, to 20 digits.
+// Tests code with the numbers of the robot (docs/conformance.md, "Numbers on the robot"). The expected answers follow
+// from doubles, which the comments state to 20 digits.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// In front of the core: a literal of deployed code that the variable robochart_mutant makes one ulp greater (even) or
-/// less (odd).
+/// Text that precedes the core: a literal of deployed code, which the variable robochart_mutant makes one ulp greater
+/// (even) or less (odd).
 constexpr const char* changed_literal = R"(
 #include <cmath>
 extern "C" { __attribute__((visibility("default"))) int robochart_mutant = -1; }
@@ -40,7 +40,7 @@ Real robot_literal(int site, double value) {
 }
 )";
 
-/// The code of the machine M, over tracked numbers and over those of the robot.
+/// The code of the machine M, with tracked numbers and with the numbers of the robot.
 class Machine {
 public:
     explicit Machine(const std::string& text) : folder_(text), model_(folder_.path()) {
@@ -93,7 +93,7 @@ private:
     std::unique_ptr<cpp_emit::SharedLibrary> library_;
 };
 
-/// A machine that heats if the condition is true for its input.
+/// Returns a machine that heats if the condition is true for its input.
 std::string heater(const std::string& type, const std::string& condition) {
     return fmt::format(R"(
 interface Plant {{ heat() }}
@@ -114,8 +114,8 @@ stm M {{
 }
 
 /// 0.1 is the double 0.10000000000000000555, 0.2 is 0.20000000000000001110, 0.3 is 0.29999999999999998890, and the next
-/// double is 0.30000000000000004441. The exact sum 0.30000000000000001665 lies in the middle between them, and the
-/// last bit of the greater one is 0, so the sum of doubles is greater than 0.3.
+/// double is 0.30000000000000004441. The exact sum of 0.1 and 0.2 is 0.30000000000000001665, in the middle between the
+/// last two. The last bit of the greater one is 0, so the sum of doubles is greater than 0.3.
 TEST(RobotNumbers, ASumOfDecimalsIsRoundedUp) {
     const Machine machine(heater("real", "x + 0.1 <= 0.3"));
     const Result result = machine.judge();
@@ -138,9 +138,9 @@ TEST(RobotNumbers, ASumOfDecimalsIsRoundedUp) {
     EXPECT_THAT(accepted.cycles, IsEmpty());
 }
 
-/// The double before 0.2 is 0.19999999999999998335. The exact sum with 0.1 is 0.29999999999999998890: it is the double
-/// 0.3, to which the code compares it. The sum with the model's 0.1 is less than the model's 0.3.
-/// No code with doubles avoids this, so that it is reported, and the code conforms.
+/// The double before 0.2 is 0.19999999999999998335. Its exact sum with 0.1 is 0.29999999999999998890, which is the
+/// double 0.3 in the comparison of the code. The sum with the model's 0.1 is less than the model's 0.3. No code with
+/// doubles avoids this difference, so it is reported, but the code conforms.
 TEST(RobotNumbers, ADoubleBesideTheBoundaryReachesIt) {
     const Machine machine(heater("real", "x + 0.1 < 0.3"));
     const Result result = machine.judge();
@@ -150,8 +150,8 @@ TEST(RobotNumbers, ADoubleBesideTheBoundaryReachesIt) {
               "`x + 0.1 < 0.3` is true for 0.19999999999999998, but false in the code, which compares 0.3 with 0.3");
 }
 
-/// The product of int64 does not fit, so the code takes the first operand, 2 (docs/cpp.md, "Numbers at their limits").
-/// The number is reported, but it is not a difference of rounding.
+/// The product does not fit into int64, so the code takes the first operand, 2 (docs/cpp.md, "Numbers at their
+/// limits"). The check reports the number, but not as a difference caused by rounding.
 TEST(RobotNumbers, LimitsOfIntegersAreReportedApart) {
     const Machine machine(heater("int", "2 * x > 10"));
     const Result result = machine.judge();
@@ -189,9 +189,9 @@ stm M {
 }
 )";
 
-/// None of 0.1, 0.3 and 0.7 is a double. Rounding to the nearest double keeps the order of numbers, so a number and a
-/// literal compare as in the model. NaN is neither less than 0.1 nor greater than 0.3 nor between them: the machine
-/// stays at the junction. An infinity is like a great number, and -0.0 like 0.
+/// 0.1, 0.3 and 0.7 are not doubles. Rounding to the nearest double keeps the order of numbers, so a number and a
+/// literal compare as in the model. NaN is neither less than 0.1 nor greater than 0.3 nor between them, so the machine
+/// stays at the junction. An infinity behaves like a great number, and -0.0 like 0.
 TEST(RobotNumbers, LiteralsThatAreNoDoublesMakeNoDifference) {
     const Machine machine(thermostat);
     const Result result = machine.judge();
@@ -199,8 +199,8 @@ TEST(RobotNumbers, LiteralsThatAreNoDoublesMakeNoDifference) {
     ASSERT_TRUE(result.robot);
     EXPECT_EQ(result.robot->limit, "");
     EXPECT_EQ(result.robot->regions, 7U);  // three thresholds, and four intervals
-    // Of each threshold one number; of each interval two explored ones, 16 random ones, and the next doubles at its
-    // boundaries, of which there are six together. The initial value 0 is in the first interval.
+    // The check tries one number on each threshold. In each interval it tries two explored numbers, 16 random ones, and
+    // the next doubles at the boundaries, which are six in all. The initial value 0 is in the first interval.
     EXPECT_EQ(result.robot->numbers, 3U + 4U * (2U + 16U) + 6U + 1U);
     std::map<std::string, std::vector<std::string>> unlike;
     for (const RobotNumbers::Special& special : result.robot->special) unlike[special.value] = special.unlike;
@@ -210,7 +210,7 @@ TEST(RobotNumbers, LiteralsThatAreNoDoublesMakeNoDifference) {
     EXPECT_EQ(unlike.size(), 6U);
 }
 
-/// With `not (t < c)` in place of the other conditions, NaN is like a number between the thresholds.
+/// With `not (t < c)` in place of the other conditions, NaN behaves like a number between the thresholds.
 TEST(RobotNumbers, NaNIsLikeANumberWhereNegationsDecide) {
     const Machine machine(heater("real", "x < 0.1"));
     const Result result = machine.judge();
@@ -220,10 +220,10 @@ TEST(RobotNumbers, NaNIsLikeANumberWhereNegationsDecide) {
     EXPECT_THAT(result.robot->special.front().unlike, IsEmpty());
 }
 
-/// Each change of a literal moves a threshold, or the double beside it, to the other side, and the machine does
+/// Each change of a literal moves a threshold, or the double next to it, to the other side. The machine then does
 /// something else or stays at the junction. `t >= 0.1` with the double before 0.1, and `t <= 0.3` with the double after
-/// 0.3, have no effect, because t4 and t5 come first. The change of t3 shows in a cycle after the one in which the
-/// number comes.
+/// 0.3, have no effect, because t4 and t5 come first. The change of t3 is only visible in a later cycle than the one
+/// that receives the number.
 TEST(RobotNumbers, ALiteralThatIsOneUlpWrongIsFound) {
     Machine machine(thermostat);
     constexpr auto same = Outcome::conforms, other = Outcome::rounds;
@@ -282,7 +282,7 @@ TEST(NumbersToTry, SignsAreExact) {
     EXPECT_EQ(sign_of(wholes, thrice, {{std::numeric_limits<std::int64_t>::min(), std::nullopt}}), -1);
 }
 
-/// The double 0.1 stands for the threshold 0.1 alone, although it is greater.
+/// Of the doubles around the threshold 0.1, only the double 0.1 represents the threshold, although it is greater.
 TEST(NumbersToTry, TheDoublesAroundAThresholdAreTried) {
     const ir::NumberPart part{{}, ir::TypeKind::real};
     const NumberSpace space{{part}, {{ir::TypeId{0}, {1}, -1}}, 10};

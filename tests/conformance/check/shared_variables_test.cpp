@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variables whose writes the environment propagates (semantics 3.7). If a controller is checked alone, each of its
-// machines has a copy, and writes of other machines reach it only through the environment.
+// Tests variables whose writes the environment propagates (semantics 3.7). If a controller is checked alone, each of
+// its machines has a copy of the variable, and writes of other machines reach the copy only through the environment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ public:
         code.initial(state_.data());
     }
 
-    /// Runs one cycle with the given value of an input ("": no input); returns the names of its outputs.
+    /// Runs one cycle with the given value of an input ("" if there is no input). Returns the names of its outputs.
     std::vector<std::string> cycle(const std::string& input = "", const std::string& value = "") {
         for (std::uint32_t index = 0; index < code_.inputs; ++index) {
             const rc_input& declared = code_.input[index];
@@ -87,7 +87,7 @@ TEST_F(SharedVariables, EachMachineHasItsCopyWhereTheEnvironmentPropagates) {
     const auto object = bench.compile_fault(cpp_emit::Fault::none, 0);
     ASSERT_TRUE(object);
     Driven code(object->interface());
-    // A write inside the component does not reach the reader; a write from the environment does.
+    // A write inside the component does not reach the reader, but a write from the environment does.
     const std::vector<std::string> first = code.cycle();
     EXPECT_THAT(first, Contains(EndsWith("set_v")));
     EXPECT_THAT(first, Not(Contains(EndsWith("seen.out"))));
@@ -104,7 +104,7 @@ TEST_F(SharedVariables, ThereIsOneWhereTheModuleDoes) {
     EXPECT_THAT(Driven(object->interface()).cycle(), Contains(EndsWith("seen.out")));
 }
 
-/// Machines of a controller, in a module whose platform provides `v` and the operations.
+/// Returns a module with the machines of a controller. Its platform provides `v` and the operations.
 std::string with_platform(const std::string& controller) {
     return "interface D { var v : nat }\ninterface O { move() stop() }\ninterface P { op() }\n"
            "module M {\n"

@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A machine with the parts that all models of this test share.
+/// Returns a machine with the parts that all models of this test share.
 std::string braking_machine(const std::string& declarations, const std::string& parts) {
     return "interface Brakes { Brake() }\nstm M {\n requires Brakes event go " + declarations +
            "\n initial i state Idle { }\n transition t0 { from i to Idle }\n" + parts + "\n}";
@@ -37,7 +37,7 @@ Result run_in_cycles(const std::string& text, std::uint32_t cycle_length = 1) {
     return run_in_cycles(text, options);
 }
 
-/// Matches the place of an element: "t2: B -> B (/tmp/.../model.rct:7)".
+/// Returns a matcher for the place of an element: "t2: B -> B (/tmp/.../model.rct:7)".
 auto element(const std::string& text, int line) {
     return testing::AllOf(testing::StartsWith(text + " ("), testing::EndsWith(fmt::format("/model.rct:{})", line)));
 }
@@ -71,7 +71,8 @@ TEST(Standstill, OfOutputsWithoutEndNamesTheOutputToo) {
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 
-// The meaning of a call depends on the component: in the controller that defines the operation, the call may take time.
+// The time that a call takes depends on the component. In the controller that defines the operation, the call may take
+// time.
 TEST(Standstill, InfiniteCallsAreReportedAsTakingNoTime) {
     const Result result =
         run_in_cycles(braking_machine("",
@@ -84,7 +85,7 @@ TEST(Standstill, InfiniteCallsAreReportedAsTakingNoTime) {
     EXPECT_THAT(result.explanation.remedy, HasSubstr("operations take no time here"));
 }
 
-// The wait starts together with the deadline of 3 and lasts for 5, so the deadline is too short by 2.
+// The wait starts together with the deadline of 3 and takes 5 units, so the deadline is too short by 2.
 TEST(Standstill, AtADeadlineSaysByHowMuchItIsTooShort) {
     const Result result = run_in_cycles(
         braking_machine("event x", "state B { entry (wait(5) ; x) <{3} } transition t1 { from Idle to B trigger go }"));
@@ -161,7 +162,7 @@ TEST(Standstill, IsExplainedWhereTheSearchOverPartialReadingsFindsIt) {
     EXPECT_THAT(result.explanation.where, Contains(element("t2: B -> B", 7)));
 }
 
-/// A violated additional property, such as repeated outputs or missed deadlines, has a rule.
+/// If an additional property is violated, such as repeated outputs or missed deadlines, the report names its rule.
 TEST(AdditionalProperties, ViolationsReferToTheirRule) {
     const Result twice = run_in_cycles(
         braking_machine("event x : nat", "state B { entry x!1 ; x!2 } transition t1 { from Idle to B trigger go }"));

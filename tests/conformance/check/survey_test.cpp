@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of every component of the available models is generated, compiles and conforms. The table below lists the
-// exceptions: components that are not schedulable, not generated, or not yet decided, with the reason. A row that is no
-// longer true fails the test.
+// Tests that the code of every component of the available models is generated, compiles and conforms. The table below
+// lists the exceptions with the reason: components that are not schedulable, not generated, or not yet decided. A row
+// that is no longer true fails the test.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,12 +26,12 @@ namespace fs = std::filesystem;
 struct Exception {
     const char* component;  ///< folder or file of the model, and the component
     Outcome outcome;
-    const char* why;  ///< text in the reason or in a diagnostic's code
+    const char* why;  ///< occurs in the reason or in a diagnostic's code
 };
 
 constexpr Exception exceptions[] = {
-    // Loops that take no time, so no control cycle exists. In most of them an output is repeated indefinitely. The
-    // platform always accepts its calls; only a register that accepts one output per cycle would stop the loop.
+    // These loops take no time, so no control cycle exists. Most of them repeat an output indefinitely. The platform
+    // always accepts its calls, and only a register that accepts one output per cycle would stop the loop.
     {"example7.rct/contrl", Outcome::not_schedulable, "infinitely many steps"},
     {"example3.rct/stm4", Outcome::not_schedulable, "infinitely many steps"},
     {"AlphaAlgorithm/Communication", Outcome::not_schedulable, "infinitely many steps"},
@@ -39,14 +39,14 @@ constexpr Exception exceptions[] = {
     {"AlphaAlgorithm/AggregationSoftware", Outcome::not_schedulable, "infinitely many steps"},
     {"hvc/Watchdog", Outcome::not_schedulable, "infinitely many steps"},
     {"hvc/State_machine", Outcome::not_schedulable, "infinitely many steps"},
-    // Only a csp block defines their function `ms`. The default makes waits take no time, so an input with a deadline
-    // of 0 is awaited repeatedly in one cycle.
+    // Only a csp block defines the function `ms` of these models. With the default of `ms`, waits take no time, so the
+    // machine waits for an input with a deadline of 0 repeatedly in one cycle.
     {"hvc/mod_sys", Outcome::not_schedulable, "neither go on"},
     {"hvc/ctrl0", Outcome::not_schedulable, "neither go on"},
     {"hvc/ctrl1", Outcome::not_schedulable, "neither go on"},
 };
 
-/// Models that are rejected or that have no semantics.
+/// These models are rejected or have no semantics.
 const std::set<std::string> not_lowered = {"example9_empty_stm.rct"};
 
 std::string shared_folder() {
@@ -54,7 +54,7 @@ std::string shared_folder() {
     return given != nullptr ? given : tests::source_folder().string() + "/../shared";
 }
 
-/// The compiler and additional flags, set by tests/long.sh survey.
+/// Returns a setting of tests/long.sh survey, the compiler or additional flags, or `otherwise`.
 std::string from_environment(const char* name, const char* otherwise) {
     const char* given = std::getenv(name);
     return given != nullptr ? given : otherwise;
@@ -94,7 +94,7 @@ protected:
         };
         const auto all = [](const auto&) { return true; };
         survey_all(system.modules, ir::ComponentKind::module, all);
-        // components nested in others are checked as part of these
+        // nested components are checked as parts of their enclosing components
         survey_all(system.controllers, ir::ComponentKind::controller, [](const auto& c) { return c.path == c.name; });
         survey_all(system.machines, ir::ComponentKind::machine, [](const ir::Machine& machine) {
             return machine.kind == ir::MachineKind::state_machine && machine.path == machine.name;
@@ -119,8 +119,8 @@ protected:
         judge_result(model + "/" + ref.path, result, report);
     }
 
-    /// The industrial controller and the larger case study are too expensive for every run: their code is only
-    /// generated and compiled. tests/long.sh survey checks all of their components.
+    /// Only generates and compiles the code of the industrial controller and of the larger case study, because they are
+    /// too expensive to check in every run. tests/long.sh survey checks all of their components.
     void compile_only(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
                       const std::string& name) {
         diagnostics::Diagnostics found;

@@ -18,7 +18,7 @@ namespace {
 
 struct Case {
     const char* type;
-    const char* text;  ///< over x : nat, which each evaluation receives anew
+    const char* text;  ///< over x : nat; each evaluation receives a new x
 };
 
 constexpr Case cases[] = {
@@ -106,7 +106,8 @@ constexpr Case cases[] = {
     {"boolean", "hasMax({x, 0.5})"},
 };
 
-/// A machine that answers the first `go?x` with the first expression, the next `go?x` with the second, and so on.
+/// Returns a machine that answers the first `go?x` with the first expression, the next `go?x` with the second, and so
+/// on.
 std::string model(std::size_t first, std::size_t last) {
     std::map<std::string, std::string> events;
     std::string states, transitions = "transition begin { from i to s0 }\n";

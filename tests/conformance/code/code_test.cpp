@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of compiled code other than its check: comparison with other code, a watchdog for code that does not return,
-// and the report of code that does not compile.
+// Tests compiled code in other ways than its check: comparison with other code, a watchdog for code that does not
+// return, and the report of code that does not compile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 using cpp_emit::Fault;
 using testing::HasSubstr;
 
-/// objects/turner.cpp: each of these faults is visible (known_bad_test.cpp).
+/// In objects/turner.cpp, each of these faults is visible (known_bad_test.cpp).
 constexpr int bad[] = {1, 2, 3, 4, 5, 6, 7, 11};
 
 TEST(CodeEquality, TellsFaultsFromTheOriginalAndNothingFromItself) {
@@ -41,7 +41,8 @@ TEST(CodeEquality, TellsFaultsFromTheOriginalAndNothingFromItself) {
     }
 }
 
-/// RoboTool's second generation of code, `while (tryTransitions())`, over a loop that waits for an input in the model.
+/// The second generation of RoboTool's code has a loop `while (tryTransitions())`. Here the loop contains a transition
+/// that waits for an input in the model.
 TEST(Watchdog, ALoopThatNeverEndsIsFoundAndNotWaitedFor) {
     test::Model model("tests/conformance/models/blink");
     test::Bench bench(model, model.machine_named("Blink"));

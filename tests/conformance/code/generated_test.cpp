@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks generated code against models written by hand from the semantics: an oracle that does not come from csp_emit.
+// Checks generated code against models that were written by hand from the semantics, so that the expectation does not
+// come from csp_emit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,8 +12,8 @@
 namespace robochart::conformance {
 namespace {
 
-/// The module of corpus/aggregation by semantics 3.8 to 3.10: the operations' assignments in order, then one time unit;
-/// the transitions wait for their inputs. Speeds are in hundredths.
+/// Returns the module of corpus/aggregation by semantics 3.8 to 3.10. Each operation makes its assignments in order and
+/// then takes one time unit. The transitions wait for their inputs. Speeds are in hundredths.
 std::vector<test::Edge> aggregation_model() {
     const std::string p = "aggregation::Aggregation::";
     return {

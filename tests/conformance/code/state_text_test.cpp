@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// States of the code as reports show them. They include composite values in the notation of logs (docs/traces.md), so
-// states with equal text are equal.
+// Tests states of the code as reports show them. Reports show composite values in the notation of logs
+// (docs/traces.md), so states with equal text are equal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ constexpr const char* matrix_model =
     "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n";
 
 /// The machine has variables of every composite type. The report must show the values that `go` assigns. Other
-/// variables have the initial values of semantics 3.6: truth values are true, and numbers are 0. A list is part of the
-/// state only if a later cycle reads it, here the condition of t2.
+/// variables have the initial values of semantics 3.6: true for truth values and 0 for numbers. A list is part of the
+/// state only if a later cycle reads it, as the condition of t2 does.
 constexpr const char* every_type =
     "enumeration Mode { slow fast } enumeration Colour { Red Put(boolean) }\n"
     "datatype Pose { far : real lit : boolean modes : Seq(Mode) }\n"
@@ -38,7 +38,7 @@ constexpr const char* every_type =
     "f = {(| true, false |)} as boolean -> boolean; t = \"so far\"; done }\n"
     "transition t2 { from A to A trigger go condition q == <1> } }\n";
 
-/// The state after a number of cycles in which all inputs without values occur.
+/// Returns the state after a number of cycles in which all inputs without values occur.
 std::string state_after(const rc_interface& code, int cycles) {
     std::vector<unsigned char> state(code.state_size);
     code.initial(state.data());
@@ -76,7 +76,7 @@ TEST(StateText, ValuesWithPartsAreWordsOfLogs) {
     expect_the_words_of_every_type(state_after(object->interface(), 2));
 }
 
-/// The reported code omits the output `done`, so its last state is the one after the other actions.
+/// The reported code omits the output `done`, so its last state is that after the other actions.
 TEST(StateText, ReportsTellThem) {
     const test::ModelFolder folder(every_type);
     test::Model model(folder.path());
@@ -87,7 +87,7 @@ TEST(StateText, ReportsTellThem) {
     expect_the_words_of_every_type(result.cycles.back().state);
 }
 
-/// A translation unit with several candidates, each with its own trace header.
+/// The translation unit has several candidates, each with its own trace header.
 TEST(StateText, IsPrintedForCandidatesOfABatch) {
     std::vector<std::unique_ptr<test::Model>> models;
     std::vector<std::unique_ptr<Candidate>> candidates;

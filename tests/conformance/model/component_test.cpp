@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the data about one component that are derived from the IR and the script.
+// Tests data about one component that are derived from the IR and the script.
 #include "conformance/model/component.hpp"
 
 #include <gmock/gmock.h>
@@ -25,8 +25,8 @@ TEST(Component, UnreadVariablesOfAggregation) {
     EXPECT_THAT(unread_variables(model.system, model.first_module()), IsEmpty());
 }
 
-// An operation that the controller defines reads `illuminated`. If the machine is checked alone, this operation is
-// unknown.
+// An operation that the controller defines reads `illuminated`. If the machine is checked alone, the checker does not
+// know this operation.
 TEST(Component, UnreadVariablesDependOnTheContext) {
     test::Model model("corpus/swarm_taxis");
     EXPECT_THAT(unread_variables(model.system, model.machine_named("SwarmTaxisFSM")),

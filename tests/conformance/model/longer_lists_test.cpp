@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the lengths of lists that machines build.
+// Tests the analysis of the lengths of lists that machines build.
 #include "conformance/model/longer_lists.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// The bounds of the lists that are longer than received ones.
+/// Returns the bounds of the lists that may be longer than received ones.
 std::vector<std::int64_t> bounds_of(const std::string& body) {
     const test::ModelFolder folder("stm M { event e : Seq(boolean) event out_ : Seq(boolean) event go\n" + body +
                                    " initial i state A { } transition t0 { from i to A } }\n");
@@ -25,7 +25,8 @@ std::vector<std::int64_t> bounds_of(const std::string& body) {
     return bounds;
 }
 
-/// Variables in a row. Each one is the one before, written twice; the first is received and has at most two items.
+/// Returns a chain of variables. Each variable is twice the concatenation of the previous one. The first variable is
+/// received and has at most two items.
 std::string doubled(int count) {
     std::string text = "var x0 : Seq(boolean) transition r { from A to A trigger e ? x0 }\n";
     for (int i = 1; i <= count; ++i)
@@ -40,14 +41,14 @@ TEST(LongerLists, HaveTheSumOfTheLengths) {
     EXPECT_THAT(bounds_of(doubled(3)), testing::UnorderedElementsAre(4, 8, 16));
 }
 
-/// 2^80 is no length, and each length is found once.
+/// 2^80 exceeds every length, and each length is found only once.
 TEST(LongerLists, WithoutALengthHaveNoBound) {
     const std::vector<std::int64_t> bounds = bounds_of(doubled(80));
     EXPECT_THAT(bounds, testing::Each(testing::Le(1'000'000)));
     EXPECT_EQ(bounds.size(), 18U);  // 2^2 to 2^19
 }
 
-/// Lists on a cycle have no bound, and neither have those that read them, whichever is declared first.
+/// Lists that depend on themselves have no bound, and neither do variables that read them, in any order of declaration.
 TEST(LongerLists, ThatGrowInALoopHaveNoBound) {
     const std::string loop =
         " transition t1 { from A to A trigger e ? x action a = b ^ x ; b = a ; c = a ^ x ; d = x ^ x }\n";

@@ -43,7 +43,7 @@ exports
 endmodule
 )";
 
-/// A process of a few states with random edges: inputs, outputs, time, internal steps, termination.
+/// Returns a process of a few states with random edges: inputs, outputs, time, internal steps, termination.
 std::string random_model(unsigned seed, bool terminates) {
     std::mt19937 random(seed);
     const auto pick = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
@@ -127,7 +127,7 @@ TEST(NormalForm, TextAndSystemAgreeOnRandomModels) {
     }
 }
 
-/// Both forms drop the same inputs, also if one drop decides another.
+/// Both forms drop the same inputs, even if dropping one input decides whether another is dropped.
 TEST(NormalForm, TextAndSystemDropTheSameInputs) {
     const std::vector<std::vector<DroppedInput>> orders = {{{0, 1}}, {{1, 0}}, {{0, 1}, {1, 0}}, {{1, 0}, {0, 1}}};
     for (unsigned seed = 0; seed < 80; ++seed) {
@@ -137,7 +137,7 @@ TEST(NormalForm, TextAndSystemDropTheSameInputs) {
     }
 }
 
-/// With `a drops v`, no cycle with both has an effect of v.
+/// With `a drops v`, v has no effect in a cycle with both.
 TEST(NormalForm, DropsWhatAnotherInputDrops) {
     const std::string model =
         std::string(declarations) + "M = T::a.in -> M [] T::v.in?x -> T::y.out!x -> M [] tock -> M\n";
@@ -157,7 +157,7 @@ TEST(NormalForm, DropsWhatAnotherInputDrops) {
     }
 }
 
-/// Whether some reachable state can perform the event.
+/// Returns whether some reachable state can perform the event.
 bool can_do(lts::TransitionSystem& system, process::Event event) {
     const lts::Exploration all = lts::explore(system, [](std::size_t) {});
     for (lts::StateIndex state = 0; state < all.graph.size(); ++state)
@@ -202,7 +202,7 @@ TEST(NormalForm, OneOrderOfReadingLosesNothing) {
     }
 }
 
-// Compares text and system for a case study; the text is the one that FDR would get.
+// Compares text and system for a case study. The text is the one that FDR would get.
 TEST(NormalForm, TextAndSystemAgreeOnAggregation) {
     test::Model model("corpus/aggregation");
     test::Bench bench(model, model.first_module());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests representative values (docs/conformance.md): the types for which a few values represent all, and the choice of
-// the values. Faults found with all values are also found with the representatives.
+// Tests representative values (docs/conformance.md): for which types a few values represent all, and which values are
+// chosen. Faults found with all values are also found with the representatives.
 #include "conformance/model/representatives.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,8 @@ stm Forward {
 }
 )";
 
-/// A machine that extracts records from other records and stores them in others. It tests the remaining fields.
+/// A machine that extracts records from other records and stores them in others. It tests the fields that are not
+/// records.
 constexpr const char* unpack = R"(
 datatype Scan { a : real b : real c : real d : real e : real f : real }
 enumeration Kind { near far }
@@ -103,7 +104,7 @@ TEST(Representatives, AreNotUsedWhereAllCanBeExplored) {
     EXPECT_TRUE(choose_representatives(model.system, model.instantiation, *component).types.empty());
 }
 
-/// A machine that receives a block of 15 reals, with an action or condition on it.
+/// Returns a machine that receives a block of 15 reals. The action or condition reads the block.
 std::string with_block(const std::string& action) {
     return "stm S { event block : matrix(real, 3, 5) event answer : matrix(real, 3, 5) var b : matrix(real, 3, 5)\n"
            "var c : matrix(real, 3, 5) initial i state A { } transition t0 { from i to A }\n"
@@ -121,7 +122,7 @@ TEST(Representatives, OnlyOfWhatNothingDependsOn) {
         EXPECT_TRUE(choose_for_text(with_block(depends)).types.empty()) << depends;
 }
 
-/// A comparison of messages compares the scans in them. A test of one field does not.
+/// A comparison of messages also compares the scans in them. A test of one field does not.
 TEST(Representatives, AreNotPartsOfWhatIsCompared) {
     const auto text = [](const char* condition) {
         return fmt::format(
@@ -152,7 +153,7 @@ TEST(Representatives, HaveTheValuesFromTheStart) {
     EXPECT_EQ(few.types[0].values, 4U);
 }
 
-/// Numbers are represented, too, if a literal makes their carrier large.
+/// Numbers are represented too, if a literal makes their carrier large.
 TEST(Representatives, OfNumbers) {
     const std::string text =
         "stm S { event given1 : real event answer : real var v : real initial i state A { } transition t0 { from i to "
@@ -200,8 +201,8 @@ TEST(FewValues, FindTheFaultsThatAllFind) {
 }
 
 /// The model may output either of two records, and so may the code. With two names, a wrong record could by chance be
-/// equal to the right one. When the next cycle begins, the model may still send x or y, and it reads two more records:
-/// four.
+/// equal to the right one. When the next cycle begins, the model may still send x or y, and it reads two more records,
+/// so four names are needed.
 TEST(FewValues, AreMoreIfTheModelChoosesBetweenValues) {
     const std::string text =
         "datatype R { a : real b : real c : real d : real e : real f : real }\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refinement in tick-tock. Hand-written pairs show differences between failures-divergences and tick-tock. Random pairs
-// are compared with model shifting (Mestel, Roscoe: refusals as events of lower priority, decided as traces). For
-// normal forms the two relations agree (docs/conformance.md, "Tick-tock").
+// Tests refinement in tick-tock. Hand-written pairs show differences between failures-divergences and tick-tock. Random
+// pairs are compared with model shifting (Mestel, Roscoe: refusals become events of lower priority, so that refinement
+// of traces decides). For normal forms the two relations agree (docs/conformance.md, "Tick-tock").
 #include "conformance/model/tick_tock.hpp"
 
 #include <fmt/format.h>
@@ -90,8 +90,8 @@ then_time = ref?_ -> then_time [] tock -> events_first
 TT(P) = refusals(prioritise(P, <{}, {tock}>)) [| union(observed, {|ref|}) |] events_first
 )";
 
-/// A process of a few states with random edges. It has no cycles of hidden events, because model shifting does not
-/// handle divergence.
+/// Returns a process of a few states with random edges. It has no cycles of hidden events, because model shifting does
+/// not handle divergence.
 std::string random_process(const std::string& name, std::mt19937& random, std::vector<Edge>& edges) {
     const auto pick = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
     const std::vector<std::string> events{"a", "b", "tock", "tock", "tau"};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports of whole cycles must have the same results as event by event reports, for allowed runs and for violations.
+// Tests that reports of whole cycles have the same results as reports of single events, for allowed runs and for
+// violations.
 #include "conformance/monitor/cycle_cache.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +24,7 @@ struct Written {
     std::vector<double> arguments;  ///< integers for integer types
 };
 
-/// The tables and ports of one component, and two monitors: one receives whole cycles, the other single events.
+/// The tables and ports of one component, and two monitors. One monitor receives whole cycles, the other single events.
 class Pair {
 public:
     Pair(const MonitorTables& tables, std::vector<Port> inputs, std::vector<Port> outputs)
@@ -62,7 +63,7 @@ public:
         monitor.end_of_cycle();
     }
 
-    /// Reports the cycle to both monitors and compares them. The signals are cleared afterwards.
+    /// Reports the cycle to both monitors and compares them. Clears the signals afterwards.
     void cycle(const std::vector<Written>& written) {
         report_events(single, written);
         rc_actions actions{};
@@ -142,8 +143,8 @@ private:
     std::unique_ptr<CyclicModel> model_;
 };
 
-/// Ten thousand cycles of swarm taxis. Most outputs are allowed by the model, as a trial on a copy shows. Some are
-/// forbidden, among them headings that never occurred before.
+/// Runs ten thousand cycles of swarm taxis. The model allows most outputs, because the test first tries them on a copy
+/// of the monitor. It forbids some, among them headings that never occurred before.
 TEST(CycleCache, WholeCyclesGiveTheResultsOfTheirEvents) {
     const Made made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();
@@ -197,8 +198,8 @@ TEST(CycleCache, WholeCyclesGiveTheResultsOfTheirEvents) {
     EXPECT_GT(violated, 50);
 }
 
-/// The tables are written by hand. There is one state, an input with the values -1 and 3, an output with two arguments
-/// from {0, 1} of which (0, 1) and (1, 0) are allowed, and an output of a real number, 0 or 0.5.
+/// The tables are written by hand. There is one state. The input has the values -1 and 3. One output has two arguments
+/// from {0, 1}, of which (0, 1) and (1, 0) are allowed. Another output is a real number, 0 or 0.5.
 class ByHand : public ::testing::Test {
 protected:
     static constexpr std::uint16_t dead = Monitor::dead;

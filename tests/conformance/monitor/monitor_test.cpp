@@ -31,7 +31,7 @@ private:
     std::unique_ptr<CyclicModel> model_;
 };
 
-// Registers and outputs of the aggregation module, in the order of the code's interface.
+// Lists the registers of the aggregation module, and then its outputs, in the order of the code's interface.
 enum Input : std::uint32_t { see_wall, see_robot };
 enum Output : std::uint32_t { linear, angular };
 
@@ -85,7 +85,7 @@ TEST(Monitors, StopAtTheFirstEventThatIsNot) {
     EXPECT_EQ(wrong.verdict(), MonitorVerdict::allowed);
 }
 
-/// Preconditions test the speeds of this model, so a speed outside the finite instantiation makes the verdict unknown.
+/// Preconditions of this model test the speeds, so the verdict on a speed outside the finite instantiation is unknown.
 TEST(Monitors, SayWhereTheyKnowNothing) {
     const MonitoredModel made("corpus/aggregation");
     Monitor monitor(made.build->tables());
@@ -95,8 +95,9 @@ TEST(Monitors, SayWhereTheyKnowNothing) {
     EXPECT_EQ(monitor.verdict(), MonitorVerdict::unknown) << "for good";
 }
 
-/// The automaton is minimal: it has at most the states of the hand-written one, which combines the machine's states
-/// with the stages of a cycle. Each mode (start, S1, S2) has 2 relevant reads and up to 2 writes: at most 3 x 6 states.
+/// The automaton is minimal, so it has at most the states of a hand-written automaton. The hand-written one combines
+/// the machine's states with the stages of a cycle. Each mode (start, S1, S2) has 2 relevant reads and up to 2 writes,
+/// so there are at most 3 x 6 states.
 TEST(Monitors, AreSmall) {
     const MonitoredModel made("corpus/aggregation");
     EXPECT_LE(made.build->tables().states, 18U);
@@ -133,8 +134,8 @@ extern "C" __attribute__((visibility("default"))) int run(double first, double s
     EXPECT_THAT(files[0].text, HasSubstr("(aggregation.rct:")) << "no folders in generated text";
 }
 
-/// The model only passes headings on: the robot may turn by any of them. A heading that differs from the received one
-/// is detected, with rare exceptions.
+/// The model only passes headings on, so the robot may turn by any heading. A monitor detects a heading that differs
+/// from the received one, with rare exceptions.
 TEST(Monitors, FollowValuesThatArePassedOn) {
     const MonitoredModel made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();

@@ -14,7 +14,7 @@ namespace robochart::conformance::test {
 
 namespace {
 
-constexpr std::size_t at_once = 40;  ///< mutants compiled together
+constexpr std::size_t at_once = 40;  ///< the number of mutants that are compiled together
 
 cpp_emit::BuildOptions build_options(const std::string& more = "") {
     return {"c++", "-std=c++17 -O0 -w -fno-exceptions -fno-rtti" + more, ""};
@@ -39,7 +39,7 @@ bool is_same_code(const cpp_emit::Emission& a, const cpp_emit::Emission& b) {
                       [](const auto& one, const auto& other) { return one.text == other.text; });
 }
 
-/// The kind of evidence that distinguished a mutant from the model.
+/// Returns the kind of evidence that distinguished a mutant from the model.
 std::string means_of_detection(const Result& result) {
     constexpr std::pair<const char*, const char*> words[] = {
         {"event API", "the event API"},
@@ -125,7 +125,7 @@ std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only, const
     return mutants;
 }
 
-/// A mutant that does not compile counts as killed.
+/// Removes mutants that do not compile from the batch. Such mutants count as killed.
 void Study::drop_uncompilable(std::vector<Seeded*>& together) {
     std::vector<const cpp_emit::Emission*> codes;
     for (const Seeded* seeded : together) codes.push_back(&seeded->code);

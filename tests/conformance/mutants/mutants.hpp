@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation analysis of the generator: seeds every fault at every place of a model, compiles the mutants in batches and
+// Analyses mutants of the generator: seeds every fault at every place of a model, compiles the mutants in batches and
 // judges them. A mutant is killed, or the checker shows that it is equivalent, or it is a variant that the model
 // allows.
 #pragma once
@@ -19,7 +19,7 @@ namespace robochart::conformance::test {
 enum class Fate {
     killed,
     equivalent,  ///< L(G') and L(G) are strongly bisimilar
-    variant,     ///< conforms, and behaves differently from the original
+    variant,     ///< conforms, but behaves differently from the original
     undecided,   ///< a limit was reached
 };
 
@@ -27,8 +27,8 @@ struct Mutant {
     cpp_emit::FaultKind kind;
     std::uint32_t site = 0;
     Fate fate = Fate::undecided;
-    std::string by;          ///< killed: what distinguished it from the model
-    std::size_t cycles = 0;  ///< killed, variant: number of cycles of the shortest difference
+    std::string by;          ///< if killed, what distinguished it from the model
+    std::size_t cycles = 0;  ///< if killed or a variant, number of cycles of the shortest difference
     std::string reported;    ///< the difference
 };
 
@@ -36,10 +36,10 @@ class Study {
 public:
     Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
 
-    /// The result for the unchanged code. If it is not `conforms`, the analysis has no meaning.
+    /// Returns the result for the unchanged code. If it is not `conforms`, the analysis has no meaning.
     [[nodiscard]] Result check_original();
-    /// Every mutant whose code differs from the original, at most `sites` of each kind, spread evenly.
-    /// `event_api_only`: only faults of the event API. `omitted`: kinds to omit.
+    /// Judges every mutant whose code differs from the original. Tries at most `sites` places of each kind, spread
+    /// evenly. With `event_api_only`, tries only faults of the event API. `omitted` contains the kinds to omit.
     [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_api_only = false,
                                               const std::set<cpp_emit::Fault>& omitted = {});
 

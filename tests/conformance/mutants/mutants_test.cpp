@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults of the generator in every construct that it writes (cpp_emit/plan/fault.hpp; they include RoboTool's
+// Seeds faults of the generator in every construct that it writes (cpp_emit/plan/fault.hpp, which includes RoboTool's
 // faults). Each mutant is killed, shown by the checker to be equivalent to the original, or a variant that the model
 // allows for a reason listed here. ROBOCHART_MUTANTS=all tries all places and prints tables (tests/long.sh mutants). By
 // default the test tries one place of each kind in most models, and three in models written for specific kinds. It
-// omits kinds of which three mutants were killed before.
+// omits kinds of which it has already killed three mutants.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using test::Mutant;
 /// differently.
 struct Open {
     Fault fault;
-    const char* model;  ///< the only model in which it may occur; null: any model
+    const char* model;  ///< the only model in which it may occur; null for any model
     const char* why;
 };
 
@@ -44,7 +44,7 @@ constexpr Open open_choices[] = {
     {Fault::wrong_output, "choices", "behind one way of the probabilistic junction is what is behind the other"},
 };
 
-/// Whether the fault only changes how a choice of the model is resolved. No test can kill such a fault.
+/// Returns whether the fault only changes how a choice of the model is resolved. No test can kill such a fault.
 bool decides_only(Fault fault) {
     return std::any_of(std::begin(open_choices), std::end(open_choices),
                        [&](const Open& open) { return open.fault == fault && open.model == nullptr; });
@@ -85,7 +85,7 @@ protected:
         test::Model model(folder, options);
         study_model(folder, test::Study(model, model.machine_named(machine)), sites);
     }
-    /// Tries only faults of the event API: these models contain little behaviour in a cycle.
+    /// Tries only faults of the event API, because these models contain little behaviour in a cycle.
     void try_events(const std::string& folder, const std::string& machine, cpp_emit::Strategy strategy) {
         test::Model model(folder);
         study_model(folder, test::Study(model, model.machine_named(machine), strategy), 3, true);
@@ -103,7 +103,7 @@ protected:
         }
     }
 
-    /// The kinds that need no more models: by default, those that were killed in three.
+    /// Returns the kinds that need no more models: by default, those of which three mutants were killed.
     [[nodiscard]] std::set<Fault> often_killed() const {
         std::set<Fault> kinds;
         if (all()) return kinds;
@@ -123,11 +123,11 @@ protected:
             fmt::print("variant: {}, {} at {}: {}\n", name, mutant.kind.name, mutant.site, mutant.reported);
     }
 
-    /// Fails if no mutant of some kind is killed, which would indicate a checker that misses this kind.
+    /// Fails if no mutant of some kind is killed, because the checker would then miss this kind.
     void expect_kills_of_every_kind() const {
         for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
-            if (cpp_emit::in_robosim(kind.fault)) continue;    // check/robosim_test.cpp
-            if (kind.fault == Fault::order_ignored) continue;  // these models declare no order; cycle_claims_test.cpp
+            if (cpp_emit::in_robosim(kind.fault)) continue;    // tested in check/robosim_test.cpp
+            if (kind.fault == Fault::order_ignored) continue;  // no orders here; see cycle_claims_test.cpp
             const auto found = by_kind_.find(kind.fault);
             ASSERT_NE(found, by_kind_.end()) << kind.name << " is in no model";
             if (decides_only(kind.fault))

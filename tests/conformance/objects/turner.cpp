@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller written by hand for the API in explore_abi.h. It tests the explorer and the conformance check: the robot
-// drives until it sees a robot, and turns until it sees a wall. Each operation takes one cycle. FAULT selects a defect.
+// Implements a controller by hand for the API in explore_abi.h. It tests the explorer and the conformance check. The
+// robot drives until it sees a robot, and turns until it sees a wall. Each operation takes one cycle. FAULT selects a
+// defect.
 #include <array>
 #include <cstdint>
 #include <cstdio>

@@ -63,8 +63,8 @@ private:
         });
     }
 
-    /// Records whether a variable that a called operation requires is the caller's own, or comes from the caller's
-    /// caller.
+    /// Records for each variable that a called operation requires, whether it is the caller's own, or comes from the
+    /// caller's caller.
     void look_at_needs(const ir::Machine& caller) {
         for (const ir::OperationSignature& called : caller.operations)
             for (const ir::Machine& operation : system_.machines) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language constructs that a model uses, to measure the coverage of the random models.
+// Finds the language constructs that a model uses, to measure the coverage of the random models.
 #pragma once
 
 #include <set>
@@ -9,11 +9,12 @@
 
 namespace robochart::conformance::test {
 
-/// Names of the constructs in a module's machines, operations and connections: "during", "depth 3", "async".
+/// Returns the names of the constructs in a module's machines, operations and connections: "during", "depth 3",
+/// "async".
 [[nodiscard]] std::set<std::string> constructs_in(const ir::System&);
-/// The constructs that random models of the core shape must cover.
+/// Returns the constructs that random models of the core shape must cover.
 [[nodiscard]] std::set<std::string> claimed_constructs();
-/// The constructs that random models of the widened shape must cover.
+/// Returns the constructs that random models of the widened shape must cover.
 [[nodiscard]] std::set<std::string> widened_constructs();
 
 }  // namespace robochart::conformance::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See random_campaign.hpp.
 #include "tests/conformance/random/random_campaign.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +48,7 @@ std::string kind_of(const Result& result) {
     return "inconclusive: " + result.reason.substr(0, 60);
 }
 
-/// Describes the difference; "" if there is none.
+/// Describes the difference, or returns "" if there is none.
 std::string describe_difference(const Result& result) {
     if (!result.warnings.empty()) return fmt::format("{}", fmt::join(result.warnings, "\n"));
     if (result.outcome != Outcome::differs) return {};
@@ -67,7 +66,7 @@ std::string without_blank_lines(const std::string& text) {
     return out;
 }
 
-/// The kind of a disagreement: the code does not compile, or it differs.
+/// Returns the kind of a disagreement: the code does not compile, or it differs.
 std::string kind_of(const std::string& disagreement) {
     if (disagreement.empty()) return "";
     return disagreement.starts_with("error: ") ? "error" : "differs";
@@ -81,7 +80,7 @@ Options Campaign::options() const {
     options.flags = "-std=c++17 -O0 -fno-exceptions -fno-rtti -Wall -Wextra -Wpedantic -Wconversion -Werror";
     if (const char* compiler = std::getenv("ROBOCHART_COMPILER")) options.compiler = compiler;
     options.limits.max_states = 30'000;
-    options.walks.cycles = 0;  // models that are too large are counted
+    options.walks.cycles = 0;  // no random walks: models that are too large are only counted
     return options;
 }
 
@@ -114,7 +113,7 @@ void Campaign::judge_remaining() {
     if (!candidates_.empty()) judge_batch(std::exchange(seeds_, {}), std::exchange(candidates_, {}));
 }
 
-/// Candidates that do not compile are recorded and excluded from the batch.
+/// Judges the candidates. Those that do not compile are recorded and excluded from the batch.
 void Campaign::judge_batch(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates) {
     std::string error;
     const auto batch = Batch::build(std::move(candidates), options(), error);

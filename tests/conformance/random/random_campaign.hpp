@@ -40,20 +40,20 @@ public:
     /// Judges the models that were added since the last batch.
     void judge_remaining();
     [[nodiscard]] const Tally& tally() const { return tally_; }
-    /// Shrinks the model while it still shows a disagreement of the same kind; returns the smallest one found, with its
-    /// disagreement.
+    /// Shrinks the model while it still shows a disagreement of the same kind. Returns the smallest model found, with
+    /// its disagreement.
     [[nodiscard]] std::string shrink_disagreement(const Disagreement& found, std::size_t budget) const;
 
 private:
     /// A model in the current batch.
     struct Prepared {
-        std::unique_ptr<Candidate> candidate;  ///< null: the generator rejected it
+        std::unique_ptr<Candidate> candidate;  ///< null if the generator rejected it
         std::string refusal;
     };
 
     [[nodiscard]] Options options() const;
     [[nodiscard]] Prepared prepare_candidate(const random_models::Project& project) const;
-    /// Describes the disagreement of one model; "" if there is none.
+    /// Describes the disagreement of one model, or returns "" if there is none.
     [[nodiscard]] std::string find_disagreement(const random_models::Project& project) const;
     void judge_batch(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates);
     void count_result(std::uint64_t seed, const Candidate& candidate, const Result& result);

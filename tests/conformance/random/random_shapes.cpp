@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See random_shapes.hpp.
 #include "tests/conformance/random/random_shapes.hpp"
 
 #include "tests/random_models/models/random.hpp"

@@ -31,7 +31,7 @@ struct NamedShape {
 constexpr std::array shapes = {NamedShape{"core", core_shape}, NamedShape{"widened", widened_shape},
                                NamedShape{"toolkits", toolkits_shape}, NamedShape{"hostile", hostile_shape}};
 
-/// Checks coverage only for campaigns of at least a thousand models; fewer models do not cover every construct.
+/// Checks coverage, but only for campaigns of at least a thousand models. Fewer models do not cover every construct.
 void expect_everything(const Tally& tally) {
     if (tally.models < 1000) return;
     for (const std::string& word : claimed_constructs())
@@ -58,8 +58,8 @@ void print(const Tally& tally) {
 }
 
 /// Writes lines for a script that adds up several runs: `models N`, `outcome N what`, `construct N what`, `disagreement
-/// SEED what`, and `whole` at the end. For a single model, which a person inspects, it also writes a shrunk model that
-/// disagrees.
+/// SEED what`, and `whole` at the end. If there is a single model, which a person will inspect, it also writes a shrunk
+/// model that disagrees.
 void write_report(const Campaign& campaign) {
     const char* path = std::getenv("ROBOCHART_REPORT");
     if (path == nullptr) return;
@@ -93,7 +93,7 @@ TEST(RandomModels, Conform) {
     expect_everything(campaign.tally());
 }
 
-/// The shape of models that ROBOCHART_MODELS names (tests/long.sh conformance).
+/// ROBOCHART_MODELS names the shape of the models (tests/long.sh conformance).
 TEST(RandomModels, Campaign) {
     const char* named = std::getenv("ROBOCHART_MODELS");
     if (named == nullptr) GTEST_SKIP() << "ROBOCHART_MODELS is not set";
@@ -129,7 +129,7 @@ TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
     EXPECT_GE(found, 3U);
 }
 
-/// A few models of each other shape; tests/long.sh conformance runs many.
+/// Tests a few models of each other shape. tests/long.sh conformance runs many.
 TEST(RandomModels, OfTheOtherShapesConform) {
     for (const NamedShape& shape : shapes) {
         if (shape.of == core_shape) continue;

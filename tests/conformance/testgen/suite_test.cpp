@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests complete test suites. They kill every faulty controller of their fault domain, pass the correct one, and are
-// runs of the model.
+// Tests complete test suites. A suite kills every faulty controller of its fault domain, passes the correct one, and
+// consists of runs of the model.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 using cpp_emit::Fault;
 using ::testing::HasSubstr;
 
-/// A deterministic model: no state has two transitions that are enabled at the same time.
+/// A deterministic model: in no state are two transitions enabled at the same time.
 constexpr const char* pump = R"(
 interface Ops { go(level : nat) halt() }
 interface Events { event level : nat event stop }
@@ -42,7 +42,7 @@ stm M {
 }
 )";
 
-/// Inputs and outputs are composite values; an operation has two composite arguments.
+/// Inputs and outputs are composite values. One operation has two composite arguments.
 constexpr const char* store = R"(
 enumeration Job { Fetch(boolean) Drop }
 datatype Pose { x : real near : boolean }
@@ -71,7 +71,7 @@ public:
         machine = cycle_automaton(*model, limits);
     }
 
-    /// Whether the compiled code makes the outputs of the model in every run of the suite.
+    /// Returns whether the compiled code makes the outputs of the model in every run of the suite.
     bool passes_suite(const rc_interface& code, const std::vector<TestWord>& suite) const {
         for (const TestWord& test : suite) {
             std::vector<unsigned char> image(code.state_size);
@@ -120,8 +120,9 @@ private:
     }
 };
 
-/// Counted by hand. Initially there was no output; then the robot drives or turns. It drives in the same way after the
-/// first cycle as after later ones, so only the initial state is additional. Two signals have four valuations.
+/// The numbers are counted by hand. Initially there was no output. Then the robot drives or turns. The robot drives in
+/// the same way after the first cycle as after later ones, so only the initial state is additional. Two signals have
+/// four valuations.
 TEST(TestSuites, TheMachineOfAggregationIsSmall) {
     const Suites suites("corpus/aggregation");
     EXPECT_EQ(suites.machine.inputs.size(), 4U);
@@ -133,7 +134,7 @@ TEST(TestSuites, TheMachineOfAggregationIsSmall) {
     EXPECT_THROW((void)complete_suite(suites.machine, 1, 10), std::length_error);
 }
 
-/// The suite is written as a log: every run must be a run of the model.
+/// The suite is written as a log, in which every run must be a run of the model.
 TEST(TestSuites, AreRunsOfTheModel) {
     const test::ModelFolder pumps(pump);
     const test::ModelFolder stores(store);
@@ -195,7 +196,7 @@ TEST(TestSuites, KillTheMutantsOfAPump) {
                    Fault::clock_not_reset, Fault::clock_off_by_one, Fault::wait_dropped, Fault::event_kept});
 }
 
-/// If two outputs may come in either order, there is no deterministic machine of cycles.
+/// If two outputs may come in either order, the machine of cycles is not deterministic.
 TEST(TestSuites, ModelsThatLeaveAChoiceAreRefused) {
     try {
         const Suites suites("tests/conformance/models/nested");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logs in MCAP files. The test writes the files byte by byte, as the MCAP specification describes the records.
+// Tests logs in MCAP files. The test writes the files byte by byte, as the MCAP specification describes the records.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -51,7 +51,7 @@ std::string whole(const std::string& records, std::uint32_t crc = 0) {
 }
 const std::string plain = channel(1, 0, "log", "robochart-trace");
 
-/// The log, or "BYTE: error".
+/// Returns the log, or "BYTE: error".
 std::string read(const std::string& bytes) {
     try {
         return read_mcap(bytes, diagnostics::unlimited);
@@ -59,7 +59,7 @@ std::string read(const std::string& bytes) {
         return std::to_string(fault.at) + ": " + fault.what();
     }
 }
-/// The CRC-32 bit by bit, from its definition.
+/// Computes the CRC-32 bit by bit, from its definition.
 std::uint32_t crc_of(const std::string& bytes) {
     std::uint32_t crc = ~0U;
     for (const char byte : bytes) {
@@ -73,7 +73,7 @@ TEST(Mcap, HasALogInTheMessagesOfAChannel) {
     EXPECT_EQ(
         read(whole(plain + message(1, "robochart-trace 1\n") + message(1, "component M\nrun 1") + message(1, "tock"))),
         "robochart-trace 1\ncomponent M\nrun 1\ntock\n");
-    // In a chunk, with a checksum, beside other channels and records.
+    // The records are in a chunk with a checksum, together with other channels and records.
     const std::string records = schema(2, "std_msgs/msg/String") + schema(3, "std_msgs/msg/Empty") +
                                 channel(7, 2, "/robot/trace", "cdr") + channel(8, 2, "/robot/state", "cdr") +
                                 channel(9, 3, "/trace", "cdr");
@@ -133,7 +133,7 @@ TEST(Mcap, IsRefusedWithThePlaceOfTheError) {
            std::to_string(begin + texts.size() + 9 + 22 + 8) + ": a text has 4294967295 bytes, but only 1 are left");
 }
 
-/// Every prefix of a file is refused, and so is a file with a changed byte if it has checksums.
+/// Every prefix of a file is refused. A file with a changed byte is refused if it has checksums.
 TEST(Mcap, ThatIsChangedIsRefused) {
     const std::string inside = plain + message(1, "robochart-trace 1") + message(1, "component M\nrun 1\ntock");
     const std::string before =

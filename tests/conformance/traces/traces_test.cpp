@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares logs of runs with the model: accepted logs, rejected logs and their reports, omissions in partial logs, and
-// the format of logs. The expectations follow from the models by hand.
+// the format of logs. The expectations follow by hand from the models.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ public:
         checker_ = std::make_unique<TraceChecker>(*model_, std::vector<std::string>{"M"}, limits_, project_.sources);
     }
 
-    /// Checks the runs of a log and stores the reports of those that are not accepted; `header` follows the first
-    /// lines.
+    /// Checks the runs of a log and stores the reports of those that are not accepted. The lines of `header` come after
+    /// the first lines of the log.
     LogReport check_runs(const std::string& runs, const std::string& header = "") {
         return check_whole_log("robochart-trace 1\ncomponent M\n" + header + runs);
     }
@@ -58,7 +58,7 @@ Replay aggregation_replay() {
     return {"corpus/aggregation", "module"};
 }
 
-/// If a header has other constants than the user's, the log is refused, not compared.
+/// If a header has other constants than those of the user, the log is refused and not compared.
 TEST(Traces, AHeaderWithOtherConstantsIsRefused) {
     Replay replay("corpus/aggregation", "module");
     const std::string log = "robochart-trace 1\ncomponent M\nconst pace=3\nrun a\n";
@@ -87,7 +87,7 @@ TEST(Traces, WhatTheModelDoesIsAccepted) {
     EXPECT_EQ(report.cycles, 6U);
 }
 
-/// Maximal progress (R3): the model has no cycle that ends before it makes its output.
+/// Maximal progress (rule R3): the model has no cycle that ends before it makes its output.
 TEST(Traces, AMissingOutputIsRejectedWhereTheCycleEnds) {
     Replay replay = aggregation_replay();
     const LogReport report = replay.check_runs(std::string(start) + "seeRobot? tock\ntock\n");
@@ -118,7 +118,7 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
     }
 }
 
-/// R1: every input is read once, before anything is written.
+/// Rule R1: every input is read once, before anything is written.
 TEST(Traces, ReadsComeFirstAndOnce) {
     Replay replay = aggregation_replay();
     EXPECT_EQ(replay.check_runs("run a\nangularSpeed!-0.75 seeWall? linearSpeed!-10.88 tock\n").rejected, 1U);
@@ -141,7 +141,7 @@ TEST(Traces, WhatIsNotObservedMayHaveHappened) {
     EXPECT_EQ(replay.check_runs(seen, "unobserved angularSpeed! seeRobot?\n").accepted, 1U);
     EXPECT_EQ(replay.check_runs(seen, "unobserved angularSpeed!\n").rejected, 1U) << "nobody was seen";
     EXPECT_EQ(replay.check_runs(seen, "unobserved seeRobot?\n").rejected, 1U) << "angularSpeed was not written";
-    // This is no run of the model for any inputs: the speeds alternate.
+    // With these alternating speeds, the log is not a run of the model for any inputs.
     EXPECT_EQ(replay
                   .check_runs("run a\nlinearSpeed!-10.88 tock\nlinearSpeed!-10.88 tock\n",
                               "unobserved angularSpeed! seeRobot? seeWall?\n")
@@ -164,8 +164,8 @@ TEST(Traces, ALogMayStartLateAndLoseCycles) {
     EXPECT_TRUE(replay.check_runs(std::string(start) + "late\n").fault.has_value()) << "late is for the beginning";
 }
 
-/// Headings are only passed on (DataIndependence): values outside the finite instantiation are replaced by values
-/// inside it.
+/// Headings are only passed on (DataIndependence), so the check replaces values outside the finite instantiation by
+/// values inside it.
 TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     Replay replay("corpus/swarm_taxis", "module");
     const std::string first = "run a\nMoveForward! CheckIlluminationStatus! tock\n";
@@ -176,7 +176,8 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     const LogReport good = replay.check_runs(first + turn("-84.377682133819", "-84.377682133819"));
     EXPECT_EQ(good.accepted, 1U) << (replay.reported.empty() ? "" : replay.reported[0].what);
     EXPECT_EQ(good.replaced, 3U);
-    // The output differs from the input. Each run chooses its replacements at random, and few of them are equal.
+    // The output differs from the input. Each run chooses its replacements at random, and only few of them are equal by
+    // chance.
     std::string many;
     for (int i = 0; i < 20; ++i) many += first + turn("-84.377682133819", "84.377682133819");
     EXPECT_GE(replay.check_runs(many).rejected, 10U);
@@ -205,8 +206,8 @@ stm M {
 }
 )";
 
-/// The model compares distances only with its constants, so every logged distance decides: the answers are those of the
-/// logged number, not of a rounded one. 0.30000001192092896 is the float next to 0.3, and greater.
+/// The model compares distances only with its constants, so every logged distance has a verdict. The verdict is that of
+/// the logged number, not of a rounded one. 0.30000001192092896 is the float next to 0.3, and greater.
 TEST(Traces, NumbersThatAreComparedWithConstantsDecide) {
     Replay replay(test::ModelFolder(comparing).path(), "M");
     const auto verdict = [&](const std::string& heard, const std::string& then) {
@@ -222,7 +223,7 @@ TEST(Traces, NumbersThatAreComparedWithConstantsDecide) {
         EXPECT_TRUE(verdict(far, "tock")) << far;
         EXPECT_FALSE(verdict(far, std::string("near!") + far + " tock")) << far;
     }
-    // stored, and tested later
+    // The model stores this distance, and tests it later.
     for (const auto& [heard, done] : std::vector<std::pair<std::string, bool>>{{"0.30000001192092896", true},
                                                                                {"0.3", false},
                                                                                {"0.29999999", false},
@@ -232,13 +233,15 @@ TEST(Traces, NumbersThatAreComparedWithConstantsDecide) {
         EXPECT_EQ(verdict(heard, first + "far! tock"), done) << heard;
         EXPECT_EQ(verdict(heard, first + "tock"), !done) << heard;
     }
-    // another number on the same side is not what was read, but for few replacements that are equal
+    // A different number on the same side of the constants is not the number that was read. Runs are rejected unless
+    // both get equal replacements, which is rare.
     std::string many;
     for (int i = 0; i < 20; ++i) many += "run a\ntock\ndistance?0.31 near!0.32 tock\n";
     EXPECT_GE(replay.check_runs(many).rejected, 10U);
 }
 
-/// An output that the model computes from its constants may have the rounding error of double or of float.
+/// The model computes this output from its constants, so the logged value may have the rounding error of double or of
+/// float.
 TEST(Traces, OutputsBesideAConstantAreRounded) {
     Replay replay(test::ModelFolder(R"(
 interface Ops { drive(v : real) }
@@ -264,7 +267,7 @@ stm M {
         EXPECT_EQ(replay.check_runs(std::string("run a\ndrive!") + wrong + " tock\n").rejected, 1U) << wrong;
 }
 
-/// A model that compares two readings needs both in the finite instantiation.
+/// The model compares two readings, so both must be in the finite instantiation.
 TEST(Traces, NumbersThatAreComparedWithEachOtherLeaveTheRunUndecided) {
     Replay replay(test::ModelFolder(R"(
 interface Ops { near() }
@@ -313,7 +316,7 @@ stm M {
 }
 )";
 
-/// One value has several spellings: blanks, the order and duplicates in sets, and names as in CSP may differ.
+/// One value has several spellings. Blanks, the order and duplicates in sets, and names as in CSP may differ.
 TEST(Traces, ValuesWithPartsAreReadByTheirType) {
     Replay replay(test::ModelFolder(carrier).path(), "M");
     for (const char* cycle :
@@ -328,8 +331,8 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
 }
 
 /// The model only passes reals on. A real outside the carrier is replaced by one of the carrier, consistently in all
-/// composite values that contain it. A sequence longer than the model's maximum is outside for any elements, and so is
-/// a partial function.
+/// composite values that contain it. A sequence longer than the model's maximum is outside whatever its elements are,
+/// and so is a partial function.
 TEST(Traces, PartsOutsideTheFiniteInstantiation) {
     Replay replay(test::ModelFolder(carrier).path(), "M");
     const std::string first = "run a\ntock\n";
@@ -346,7 +349,7 @@ TEST(Traces, PartsOutsideTheFiniteInstantiation) {
     EXPECT_EQ(replay.check_runs(first + "kinds?{(true,Red)} label!{(true,Red)} tock\n").inconclusive, 1U);
 }
 
-/// The conversion of a sequence's elements is an operation on numbers.
+/// Converting the elements of a sequence is an operation on numbers, so the numbers are not only passed on.
 TEST(Traces, PartsThatAreConvertedAreNotOnlyPassedOn) {
     Replay replay(test::ModelFolder(R"(
 interface Ops { follow(path : Seq(real)) }
@@ -389,7 +392,7 @@ stm M {
     EXPECT_THAT(replay.reported.at(0).allowed, ElementsAre("nothing: it has terminated"));
 }
 
-/// Cycles of two time units have two tocks, and nothing between them.
+/// A cycle of two time units ends with two tocks, and nothing comes between them.
 TEST(Traces, CyclesMayBeLonger) {
     Replay replay("corpus/aggregation", "module", 2);
     const std::string first = "run a\nangularSpeed!-0.75 linearSpeed!-10.88 tock tock\n";
@@ -434,7 +437,7 @@ TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
     EXPECT_EQ(report.fault->fault.length, 9U);
 }
 
-/// RC-L03 describes the type and points to the part that does not belong to it.
+/// RC-L03 describes the type and points to the part that is not a value of it.
 TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
     Replay replay(test::ModelFolder(carrier).path(), "M");
     for (const auto& [word, expected, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
@@ -458,21 +461,21 @@ TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
     }
 }
 
-/// A fault in a later line is reported even if an earlier run has a verdict.
+/// A fault in a later line is reported even if an earlier run already has a verdict.
 TEST(Traces, LogsAreReadToTheirEnd) {
     Replay replay = aggregation_replay();
     const LogReport report = replay.check_runs("run a\nlinearSpeed!0 tock\nseeNobody?\n");
     EXPECT_EQ(code_of(report), "RC-L02");
 }
 
-/// The first module; the first controller or machine if there is none.
+/// Returns the first module, or the first controller or machine if there is none.
 ir::ComponentRef largest_component(const test::Model& project) {
     if (!project.system.modules.empty()) return project.first_module();
     if (!project.system.controllers.empty()) return project.first_controller();
     return project.machine_named(project.system.machines.front().name);
 }
 
-/// The interface derived from the model is the one that the generated code declares.
+/// The interface that is derived from the model is the one that the generated code declares.
 TEST(Traces, TheInterfaceOfTheModelIsThatOfTheCode) {
     for (const char* folder : {"corpus/aggregation", "corpus/swarm_taxis", "tests/conformance/models/nested",
                                "tests/conformance/models/team", "tests/conformance/models/parcels"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First mappings: the messages that follow from types and names, and that the generator accepts each draft.
+// Tests drafts of mappings: the messages follow from types and names, and the generator accepts each draft.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// The options of the command: nothing is explored.
+/// Returns the options of the command, without exploration.
 Options emitting() {
     Options options;
     options.explored = false;
@@ -77,7 +77,7 @@ TEST(MappingDraft, HasTheMessagesOfShapesAndNames) {
     for (const char* const line : lines) EXPECT_THAT(draft, HasSubstr(line));
 }
 
-/// No message carries the record of `paint`, so that only this operation stops the generator.
+/// No message has the form of the record of `paint`, so only this operation stops the generator.
 TEST(MappingDraft, IsAcceptedByTheGenerator) {
     const ir::System system = testing::load_model(
         "package p\ndatatype Pose2D { x : real y : real }\ndatatype Odd { colour : real }\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests wrong mappings and their findings. Each row contains one mistake; its place was counted by hand.
+// Tests faulty mappings and their findings. Each row contains one mistake, whose place was counted by hand.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -32,7 +32,7 @@ controller C { requires I uses E sref m = M opref turn_ref = turn
     connection C on bump to m on bump connection m on done to C on done connection C on list to m on list }
 )";
 
-/// The findings for one item. Findings for the elements that every mapping here omits are left out.
+/// Returns the findings for one item. Findings for the elements that every mapping here omits are left out.
 std::string findings_of(const std::string& item) {
     static const ir::System system = testing::load_model(model_text);
     const Planned planned = emit_package(system, "C", "ros2 for C {\n" + item + "\n}");
@@ -336,8 +336,8 @@ TEST(HostileMapping, DoesNotReachTheCode) {
     EXPECT_NE(code.find("message.data = \"a\\012b\\077\\077/\\001*/\\134\\042 @CLASS@\";"), std::string::npos) << code;
 }
 
-/// Mappings with changed, removed and doubled characters and words. Each is rejected with a finding, or the package is
-/// generated. In a generated package, changed text stays within its name or literal.
+/// The test changes, removes and doubles characters and words of mappings. Each mapping is rejected with a finding, or
+/// the package is generated. In a generated package, changed text stays within its name or literal.
 TEST(HostileMapping, ChangedAtRandomIsRefusedOrWritten) {
     const ir::System system = testing::load_model(
         "enumeration L { A B } datatype P { x : real l : L } interface I { move(p : P, n : nat) var v : real }\n"
@@ -418,7 +418,7 @@ TEST(Names, OfAPackageAreItsOwn) {
     }
 }
 
-/// The table contains the message type of every field in it, and all its names are valid.
+/// The table contains the message type of every field in it, and all names in it are valid.
 TEST(Messages, OfTheTableAreWhole) {
     std::size_t fields = 0;
     for (const char* const package :

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the node of a generated package in the stub of ROS 2. The test configures and activates the node, and sends
-// messages, cycle by cycle. The expected messages follow from the model and the mapping.
+// messages cycle by cycle. The expected messages follow from the model and the mapping.
 #include <fmt/format.h>
 
 #include "tests/cpp_emit/models.hpp"
@@ -9,7 +9,7 @@
 namespace robochart::cpp_emit::ros2::node_test {
 namespace {
 
-/// Two operations on two topics, which one cycle calls.
+/// One cycle calls two operations, which publish on two topics.
 const char* const two_topics = R"(package order
 interface Acts { go(w : nat) halt() horn() }
 interface Ins { event clear event obstacle }
@@ -90,7 +90,7 @@ int main() {
 })");
 }
 
-/// RoboSim: a lamp that is on for one cycle after its button was pressed, in cycles of two time units.
+/// A RoboSim model: a lamp that is on for one cycle after its button was pressed, in cycles of two time units.
 const char* const lamp = R"(package lamp
 interface Button { event pressed }
 interface Light { lit(bright : boolean) }
@@ -108,7 +108,7 @@ stm Switch {
 }
 )";
 
-/// One timer is one cycle: it reads the messages since the last one, which empties their registers.
+/// Each tick of the timer runs one cycle. It reads the messages since the previous tick, and empties their registers.
 TEST_F(Package, OfRoboSimRunsOneCycleAtEveryTick) {
     Options options;
     options.unit = 100'000'000;  // a time unit of 0.1 s
@@ -166,7 +166,7 @@ int main() {
           true);
 }
 
-/// Wheels, a distance, a position, constants without a value, whole numbers.
+/// The model has wheels, a distance, a position, constants without a value, and whole numbers.
 const char* const wheeled = R"(package p
 enumeration Mode { slow fast }
 datatype Place { x : real y : real }
@@ -203,7 +203,8 @@ const char* const wheels = R"(ros2 for Mod {
 }
 )";
 
-/// Conditions of items: a message whose field does not compare so has no effect. NaN compares with nothing.
+/// Items of a mapping have conditions. If a field of a message does not satisfy the condition, the message has no
+/// effect. Comparisons with NaN are false.
 TEST_F(Package, TakesMessagesUnderConditions) {
     emit(testing::load_model(two_topics), "M", R"(ros2 for M {
     receive event obstacle as sensor_msgs/Range on "range" when range < 0.3 and radiation_type == 1
@@ -243,8 +244,9 @@ int main() {
 })");
 }
 
-/// An event is raised once when a topic falls silent; every message counts, also one without effect. The stop command
-/// is published when an active node is deactivated or shut down, when the program ends, and when the controller ends.
+/// When a topic falls silent, an event is raised once. Every message ends the silence, even one without effect. The
+/// stop command is published when an active node is deactivated or shut down, when the program ends, and when the
+/// controller ends.
 TEST_F(Package, KnowsWhenATopicIsSilentAndStopsTheRobot) {
     emit(testing::load_model(R"(package p
 interface Acts { go() horn() }
@@ -383,7 +385,8 @@ int main() {
 })");
 }
 
-/// Operations send and cancel a goal of an action, and its replies raise events, in one order whatever the server does.
+/// Operations send and cancel a goal of an action. Its replies raise events in the same order, whatever the server
+/// does.
 TEST_F(Package, CallsActions) {
     emit(testing::load_model(R"(package p
 datatype Goal { x : real y : real }
@@ -509,8 +512,8 @@ int main() {
 })");
 }
 
-/// A list is received whole or not at all: a message with more items than the capacity, or with an item that is not a
-/// value of the model, is logged and raises no event. The controller goes on.
+/// A list is received completely or not at all. If a message has more items than the capacity, or an item that is not a
+/// value of the model, it is logged and raises no event. The controller continues.
 TEST_F(Package, RefusesArraysThatDoNotFit) {
     emit(testing::load_model("package p import sequence_toolkit::*\n"
                              "stm M { event scan : Seq(real) event seen : nat var s : Seq(real) initial i\n"
@@ -554,9 +557,9 @@ ir::InstantiationOptions chosen_constants() {
     return options;
 }
 
-/// In one cycle the model calls halt, horn and go(1), so their messages are published in this order. An operation of
-/// one's own begins when the messages of earlier calls have been published. An exception of a publisher does not end
-/// the program.
+/// In one cycle the model calls halt, horn and go(1), so their messages are published in this order. An operation that
+/// the user has written begins when the messages of earlier calls have been published. An exception of a publisher does
+/// not end the program.
 TEST_F(Package, PublishesInTheOrderOfTheCalls) {
     emit(testing::load_model(two_topics), "M", two_topics_mapping);
     drive("M_node.hpp", R"(
@@ -598,7 +601,7 @@ int main() {
 })");
 }
 
-/// A variable holds its value, so the node takes it whenever it is configured. Events are taken only while it is
+/// A variable keeps its value, so the node receives it whenever it is configured. It receives events only while it is
 /// active.
 TEST_F(Package, TakesVariablesWheneverItIsConfigured) {
     emit(testing::load_model(R"(package latch
@@ -642,8 +645,8 @@ int main() {
 })");
 }
 
-/// The log has the constants of the generated code, and what is no event of the model as comments: messages that were
-/// not published, cycles that were lost, pauses. A configuration without cycles has no run.
+/// The log contains the constants of the generated code. It has comments about what is no event of the model: messages
+/// that were not published, cycles that were lost, pauses. A configuration without cycles has no run.
 TEST_F(Package, LogsWhatTheModelDoesNotKnow) {
     emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(
@@ -689,7 +692,7 @@ int main() {
           true);
 }
 
-/// Without its log the node is not configured, whether the file cannot be written or the build has no trace hook.
+/// If the log cannot be written, or if the build has no trace hook, the node is not configured.
 TEST_F(Package, IsNotConfiguredWithoutItsLog) {
     emit(testing::load_model(two_topics), "M", two_topics_mapping);
     for (const bool traced : {true, false})
@@ -843,7 +846,7 @@ int main() {
 })");
 }
 
-/// The parameter `cycle` changes all clocks and timeouts, so another value than that of the time unit is refused.
+/// The parameter `cycle` changes all clocks and timeouts, so a value other than that of the time unit is refused.
 TEST_F(Package, KeepsTheDeclaredTimeUnit) {
     Options options;
     options.cycle_length = 2;
@@ -974,7 +977,7 @@ int main() {
     folder_.run("grep -q '^    # limits.max_speed: 1.5$' config/mod.yaml");
 }
 
-/// The node reports on /diagnostics once in a second, when cycles are lost, and when the controller stops.
+/// The node reports on /diagnostics once per second, when cycles are lost, and when the controller stops.
 TEST_F(Package, ReportsItsHealth) {
     emit(testing::load_model(testing::typed_model), "Mod");
     drive("M_node.hpp", R"(
@@ -1071,7 +1074,7 @@ int main() {
 })");
 }
 
-/// Tests two machines, in two controllers, and a clock.
+/// The model has two machines in two controllers, and a clock.
 TEST_F(Package, HasAStateForEachMachine) {
     emit(testing::load_model(R"(package p
 interface I { beep() }
@@ -1120,7 +1123,7 @@ int main() {
 })");
 }
 
-/// Elements have names that the node, its messages, ROS or C++ use. The package has the name of such an element.
+/// Elements have names that the node, its messages, ROS or C++ use. One of these names is also the name of the package.
 TEST_F(Package, OfElementsWithNamesOfRos) {
     emit(testing::load_model(R"(package rclcpp_lifecycle
 enumeration State { active off }
@@ -1174,8 +1177,8 @@ assert activate.event.transition_id == 3 and activate.event.matches(node)
     folder_.run("PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=" + stub() + "/python python3 check.py");
 }
 
-/// Another package finds the installed one, inherits its class and uses its node, as docs/ros2.md describes. The
-/// package's own test passes, and sources in `own` belong to it.
+/// As docs/ros2.md describes, another package finds the installed one, inherits from its class and uses its node. The
+/// package's own test passes, and sources in `own` belong to the package.
 TEST_F(Package, IsUsedByAnotherPackage) {
     emit(testing::load_model(two_topics), "M", two_topics_mapping);
     folder_.run(
@@ -1209,7 +1212,7 @@ int main() {
                 "/cmake;'$PWD/installed && cmake --build derived/build && derived/build/robot");
 }
 
-/// With --model-names, nodes, topics and files have the names that they had before snake_case.
+/// With --model-names, nodes, topics and files have the names of the model, which are not converted to snake_case.
 TEST_F(Package, MayHaveTheNamesOfTheModel) {
     Options options;
     options.model_names = true;
@@ -1239,7 +1242,7 @@ TEST_F(Package, NamesWhatItNeeds) {
     folder_.run("grep -q '^install(DIRECTORY launch config DESTINATION share/' CMakeLists.txt");
 }
 
-/// Shared variables of record types, in both directions. The environment writes one of them.
+/// The model has shared variables of record types in both directions. The environment writes one of them.
 TEST_F(Package, HasVariablesThatAreRecords) {
     emit(testing::load_model(R"(package p
 enumeration Light { Red Green }

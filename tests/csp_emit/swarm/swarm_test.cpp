@@ -68,7 +68,8 @@ refine::Verdict decide(cspm::Session& session, const std::vector<cspm::DeclPtr>&
     return refine::recurrent(*session.system(recurrence->process), session.events(recurrence->goal), with_reduction());
 }
 
-/// "open" if a claim would hold but its premise does not.
+/// Decides the obligation. If a claim would hold but its premise does not, the outcome is inconclusive, which the tests
+/// call "open".
 refine::Verdict decide(cspm::Session& session, const Obligation& obligation) {
     refine::Verdict verdict = decide(session, obligation.assertions, obligation.recurrence);
     if (verdict.outcome != refine::Outcome::holds || obligation.premise == nullptr) return verdict;
@@ -137,7 +138,7 @@ std::string swarm_of_alpha(const std::string& size, const std::string& claims) {
 using Verdicts = std::vector<std::string>;
 
 /// On a torus of three by three cells all robots are always adjacent, because diagonal steps count as one. No robot is
-/// ever lost or turns, and two that start with one heading stay in one cell.
+/// ever lost or turns, and two robots that start with the same heading stay in one cell.
 TEST(Swarm, WhoCannotGetAwayIsNeverLost) {
     const Decided found = decide_swarm(
         alpha_folder(), swarm_of_alpha("robots 2 grid 3 by 3 place at (0, 0) heading 0 deg",
@@ -161,7 +162,8 @@ TEST(Swarm, WhoDrivesApartIsLost) {
 // ---------------------------------------------------------------- two robots by another search
 
 /// An independent implementation of the machine of corpus/alpha with cadence 1. In each time unit all driving robots
-/// move one cell. Then each robot, in any order, takes the steps of its machine until the machine waits for time.
+/// move one cell. Then each robot, in any order, takes the steps of its machine until the machine waits for time to
+/// pass.
 struct Robot {
     int heading = 0;  // 0 east, 1 north, 2 west, 3 south
     int doing = 0;    // 0: stopped, 1: driving, 2: turning
@@ -182,10 +184,10 @@ bool are_near(const World& world) {
     return apart(world.x) <= 1 && apart(world.y) <= 1;
 }
 
-/// The states in which a robot may be after its time unit.
+/// Returns the states in which a robot may be after its time unit.
 std::vector<Robot> next_states(Robot robot, int heard) {
     std::vector<Robot> result;
-    if (robot.control >= 2) {  // it has finished its turn, and continues to drive
+    if (robot.control >= 2) {  // the turn is finished, and the robot continues to drive
         robot.control = robot.control == 2 ? 1 : 0;
         robot.doing = 1;
         return {robot};
@@ -234,7 +236,7 @@ std::vector<World> next_states(World world) {
     return result;
 }
 
-/// Whether the two robots can meet again from every reachable state.
+/// Returns whether the two robots can meet again from every reachable state.
 bool can_always_come_together() {
     std::map<World, std::vector<World>> into;
     std::set<World> found;
@@ -313,7 +315,7 @@ TEST(Swarm, MessagesNeedOthers) {
         for (const Time time : {Time::untimed, Time::timed}) {
             const Decided found = decide_swarm_of(talkers, swarm, time, {robots, {}});
             ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
-            const char* const several = time == Time::untimed ? "holds" : "open";  // sending takes up all the time
+            const char* const several = time == Time::untimed ? "holds" : "open";  // they send, so time stops
             EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : several})) << robots;
         }
 }
@@ -338,7 +340,7 @@ std::string replace_text(std::string text, const std::string& from, const std::s
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// A robot that drives in state Going, with a transition that may leave it.
+/// Returns a robot that drives in state Going, with a transition that may leave Going.
 std::string driver_model(const std::string& transition, const std::string& argument = "real",
                          const std::string& command = "move()") {
     const std::string model = R"(
@@ -373,14 +375,14 @@ module Robot {
                         argument);
 }
 
-/// Two robots that drive apart, which is visible after the first time unit, if time passes.
+/// Returns two robots that drive apart. The first time unit shows this, if time passes.
 std::string two_drivers(const std::string& feed) {
     return "swarm Two for Robot { robots 2 grid 8 by 8 place at (0, 0) heading 0 deg place at (0, 0) heading 180 deg "
            "range nat = 0 to 3 drive by forward on move " +
            feed + " accept always linked(1) accept recurrent linked(1) accept deadlock free accept possible apart }";
 }
 
-/// A transition on a value that can be sensed at any time is taken indefinitely within one time unit.
+/// A transition reads a value that the robot can sense at any time. So it is taken indefinitely within one time unit.
 TEST(Swarm, SensingForEverLeavesNoTime) {
     const std::string senses = "transition again { from Going to Going trigger neighbours?n }";
     const Decided found = decide_swarm_of(driver_model(senses), two_drivers("feed neighbours with count(1)"));
@@ -409,7 +411,7 @@ TEST(Swarm, TimeThatWaitsForTheEnvironmentCanStop) {
 // ---------------------------------------------------------------- turns and numbers
 
 /// The robot drives forth, turns and drives back. Whole numbers are degrees even if a decimal literal makes the unit of
-/// reals finer. It is one cell away for a while, and never two.
+/// reals finer. The robot is one cell away for a while, but never two.
 TEST(Swarm, WholeNumbersTurnByDegrees) {
     for (const std::string type : {"nat", "int", "real"}) {
         std::string text = driver_model("", type, "move(); wait(1); turn(180); wait(1); move(); wait(1); halt()");
@@ -437,7 +439,7 @@ TEST(Swarm, OnlyNumbersTurn) {
     }
 }
 
-/// `max_id` is not `id`: it keeps its value, which is the robot's speed.
+/// `max_id` is not `id`, so it keeps its value, which is the robot's speed.
 TEST(Swarm, ANumberIsThatOfOneConstant) {
     std::string text = driver_model(
         "transition drives { from Going to Driving condition max_id == 2 /\\ id == 0 } state "
@@ -484,7 +486,7 @@ TEST(Swarm, ANumberForOneOfSeveralConstantsIsAmbiguous) {
 
 // ---------------------------------------------------------------- exchanged guards
 
-/// The algorithm without memory: after each count a robot turns back, or turns to any of four directions.
+/// Returns the algorithm without memory: after each count a robot turns back, or turns to any of four directions.
 std::string memoryless_model(const std::string& turns_back, const std::string& goes_on) {
     std::string text = R"(
 interface Motors { moveForward() startTurning(degree : real) countNeighbours() }
@@ -527,10 +529,10 @@ module Robot {
     return text;
 }
 
-/// Three robots that start in one cell with one heading. With the guards exchanged, each robot hears the two others,
-/// which is more than alpha, so all robots turn back at each count. They stay in one cell and alternate between two
-/// cells. With the right guards they can drive on together, because all may choose the same direction. So cohesion
-/// alone does not expose the fault.
+/// Three robots start in one cell with the same heading. With the guards exchanged, each robot hears the two others,
+/// which is more than alpha, so all robots turn back at each count. They stay together and alternate between two cells.
+/// With the right guards they can drive on together, because all may choose the same direction. So cohesion alone does
+/// not expose the fault.
 TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
     const std::string swarm =
         "swarm Alpha for Robot { robots 3 grid 8 by 8 place at (0, 0) heading 0 deg range nat = 0 to 2 drive by "
@@ -546,10 +548,10 @@ TEST(Swarm, CohesionAndMotionTellExchangedGuards) {
     EXPECT_EQ(right.verdicts.back(), "holds");
 }
 
-/// Two robots of corpus/alpha that start in one cell and drive to the east and to the north. After one step they are
-/// diagonally adjacent. After the second step they do not hear each other: both turn back and return to the cells of
+/// Two robots of corpus/alpha start in one cell and drive to the east and to the north. After one step they are
+/// diagonally adjacent. After the second step they do not hear each other, so both turn back and return to the cells of
 /// one step before. So they are never more than three cells apart. With the guards exchanged, no robot ever hears more
-/// than one other, so they drive on forever.
+/// than one other robot, so both drive on forever.
 TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
     std::ifstream file(fs::path(alpha_folder()) / "alpha.rct");
     std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -571,7 +573,7 @@ TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
 
 // ---------------------------------------------------------------- RoboStar's collection
 
-/// The published model of two machines, one of which exchanges messages with the other robots. RoboStar found it
+/// The published model has two machines, one of which exchanges messages with the other robots. RoboStar found it
 /// deadlock free for two or more robots, but not for one (swarm.md 1).
 TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
     const fs::path model = tests::shared_folder() / "suite/robotool/accept/AlphaAlgorithm";
@@ -619,7 +621,7 @@ std::string chain_conditions(std::size_t conditions, const std::string& word) {
     return text;
 }
 
-/// Two robots that are always in one cell are never apart: only the first condition of the chain is true.
+/// Two robots that are always in one cell are never apart, so only the first condition of the chain is true.
 TEST(Swarm, LongConditionsHaveABound) {
     const std::string size = "robots 2 grid 3 by 3 place at (0, 0) heading 0 deg";
     const Decided most =
@@ -636,7 +638,7 @@ TEST(Swarm, LongConditionsHaveABound) {
 
 // ---------------------------------------------------------------- the written script
 
-/// The text of the assertion file for a swarm of corpus/alpha.
+/// Returns the text of the assertion file for a swarm of corpus/alpha.
 std::string assertions_file(const std::string& claims) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;

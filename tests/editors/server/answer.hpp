@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A message from the server, with the accessors that the server uses for received messages
+// Represents a message from the server. It has the accessors that the server uses for received messages
 // (editors/server/protocol/json.hpp).
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated editor in the same process as the server.
+// Simulates an editor in the same process as the server.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace robochart::lsp::testing {
 
-/// The capabilities of an editor such as VS Code.
+/// Returns the capabilities of an editor such as VS Code.
 inline Json usual_capabilities() {
     const Json yes = true;
     return Json::object(
@@ -51,7 +51,7 @@ public:
         ADD_FAILURE() << method << " was not answered";
         return {};
     }
-    /// Sends a request and returns the result; an error response fails the test.
+    /// Sends a request and returns the result. An error response fails the test.
     Answer request(const std::string& method, Json params) {
         const Answer response = ask(method, std::move(params));
         EXPECT_FALSE(response.has("error")) << response.write();
@@ -71,7 +71,7 @@ public:
         server_.use_idle_time();
     }
 
-    // Documents
+    // Documents.
 
     void open(const std::string& uri, const std::string& text) {
         texts_[uri] = text;
@@ -93,7 +93,7 @@ public:
         notify("textDocument/didClose", Json::object({{"textDocument", Json::object({{"uri", uri}})}}));
     }
 
-    /// `{textDocument, position}` of the place directly after `/*^mark*/`.
+    /// Returns `{textDocument, position}` for the place directly after `/*^mark*/`.
     [[nodiscard]] Json at(const std::string& mark, const std::string& uri = "file:///p/a.rct") const {
         return Json::object(
             {{"textDocument", Json::object({{"uri", uri}})}, {"position", position_of(offset(mark, uri), uri)}});
@@ -104,7 +104,7 @@ public:
         EXPECT_NE(found, std::string::npos) << "no mark " << mark;
         return found == std::string::npos ? 0 : found + written.size();
     }
-    /// The position of an offset in an ASCII text.
+    /// Returns the position of an offset in an ASCII text.
     [[nodiscard]] Json position_of(std::size_t offset, const std::string& uri) const {
         const std::string& text = texts_.at(uri);
         std::int64_t line = 0;
@@ -116,7 +116,8 @@ public:
             }
         return Json::object({{"line", line}, {"character", offset - begin}});
     }
-    /// The names of the marks at each location, in order and joined by blanks; "?" for a location without a mark.
+    /// Returns the names of the marks at each location, in order and joined by blanks, with "?" for a location without
+    /// a mark.
     [[nodiscard]] std::string marks(const Answer& locations) const {
         std::string out;
         const Answer list = locations.is_array() ? locations : Json::array({locations.json()});
@@ -137,7 +138,7 @@ public:
         for (std::int64_t line = 0; line < position["line"].number(); ++line) begin = text.find('\n', begin) + 1;
         return text.substr(0, begin + static_cast<std::size_t>(position["character"].number()));
     }
-    /// The text of a document after a workspace edit.
+    /// Returns the text of a document after a workspace edit.
     [[nodiscard]] std::string edited(const Answer& edit, const std::string& uri = "file:///p/a.rct") const {
         return applied(edit["changes"][uri], uri);
     }
@@ -152,7 +153,7 @@ public:
         return text;
     }
 
-    /// The diagnostics last published for a document; null if none were published.
+    /// Returns the diagnostics last published for a document, or null if none were published.
     [[nodiscard]] Answer diagnostics(const std::string& uri = "file:///p/a.rct") const {
         Answer last;
         for (const Answer& message : messages)
@@ -160,12 +161,12 @@ public:
                 last = message["params"]["diagnostics"];
         return last;
     }
-    /// "CODE@line" of each error; lines start at 1.
+    /// Returns "CODE@line" for each error. Lines start at 1.
     [[nodiscard]] std::string codes(const std::string& uri = "file:///p/a.rct") const {
         constexpr std::int64_t error = 1;
         return codes_up_to(error, uri);
     }
-    /// "CODE@line" of each finding, including warnings; lines start at 1.
+    /// Returns "CODE@line" for each finding, including warnings. Lines start at 1.
     [[nodiscard]] std::string all_codes(const std::string& uri = "file:///p/a.rct") const {
         constexpr std::int64_t information = 3;
         return codes_up_to(information, uri);

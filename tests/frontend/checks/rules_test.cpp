@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages of the rules (docs/rules) are their first fixtures; tests/rules runs them. This test runs further variants,
-// fixtures/CODE/bad_*.rct and good_*.rct. A bad fixture must give exactly the findings in its comments (`// expect:
-// CODE …` on the line of the finding); a good one must give no finding with the code of its folder.
+// Runs further examples of the rules in fixtures/CODE/bad_*.rct and good_*.rct. The first examples are on the pages of
+// the rules (docs/rules), which tests/rules runs. A bad fixture must give exactly the findings in its comments (`//
+// expect: CODE …` on the line of the finding). A good fixture must give no finding with the code of its folder.
 #include "frontend/rules/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path fixtures = tests::source_folder() / "tests/frontend/fixtures";
 
-/// "line CODE" of every expectation, sorted.
+/// Returns "line CODE" of every expectation, sorted.
 std::multiset<std::string> expectations(const std::string& text) {
     std::multiset<std::string> result;
     std::istringstream lines(text);
@@ -37,7 +37,7 @@ std::multiset<std::string> expectations(const std::string& text) {
     return result;
 }
 
-/// Advice that goes beyond the published rules (RC-W) is ignored, except in its own folders.
+/// Returns the findings. Advice that goes beyond the published rules (RC-W) is ignored, except in its own folders.
 std::multiset<std::string> findings(const testing::Reading& reading, bool advice) {
     std::multiset<std::string> result;
     for (const auto& d : reading.findings.sorted_findings())

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See models.hpp.
 #include "tests/frontend/diagrams/models.hpp"
 
 #include <algorithm>
@@ -31,7 +30,7 @@ std::size_t draw_below(const fs::path& folder, const std::function<void(const Dr
 
 namespace {
 
-/// The models shown in a page: its `robochart` blocks.
+/// Returns the models shown in a page, which are its `robochart` blocks.
 std::vector<std::string> models_in(const std::string& page) {
     std::vector<std::string> models;
     std::istringstream lines(page);

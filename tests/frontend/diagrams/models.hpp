@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models for diagrams. Each file is loaded alone, so many of its names are unresolved, which diagrams must handle.
+// Draws models for tests of diagrams. Each file is loaded alone, so many of its names are unresolved, which diagrams
+// must handle.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +23,9 @@ struct DrawnModel {
 
 /// Draws all components of a project.
 void draw_each(const random_models::Project& project, const std::function<void(const DrawnModel&)>& look);
-/// Draws every model file below a folder, each alone; returns their number.
+/// Draws every model file below a folder, each alone. Returns their number.
 std::size_t draw_below(const std::filesystem::path& folder, const std::function<void(const DrawnModel&)>& look);
-/// Draws the corpus, the models of the tests, and the models shown in the documentation; returns their number.
+/// Draws the corpus, the models of the tests, and the models shown in the documentation. Returns their number.
 std::size_t draw_own_models(const std::function<void(const DrawnModel&)>& look);
 
 }  // namespace robochart::diagrams

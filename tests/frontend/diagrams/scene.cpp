@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See scene.hpp.
 #include "tests/frontend/diagrams/scene.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +31,7 @@ std::vector<Segment> segments_of(const Scene& scene) {
     return segments;
 }
 
-/// True if the segment goes through the interior, more than `margin` from the border.
+/// Returns true if the segment goes through the interior, more than `margin` from the border.
 bool through(const Segment& segment, const Rectangle& it, double margin) {
     return segment.low_x < it.right() - margin && segment.high_x > it.x + margin &&
            segment.low_y < it.bottom() - margin && segment.high_y > it.y + margin;
@@ -66,7 +65,7 @@ private:
             if (inner == outer) return true;
         return false;
     }
-    /// True if one box contains the other, or is a port on its border or on the border of a box inside it.
+    /// Returns true if one box contains the other, or is a port on its border or on the border of a box inside it.
     [[nodiscard]] bool belong_together(std::size_t a, std::size_t b) const {
         const std::size_t owner_a = scene_.boxes[a].port_of;
         const std::size_t owner_b = scene_.boxes[b].port_of;
@@ -107,7 +106,7 @@ private:
         }
     }
 
-    /// The box whose level contains the line.
+    /// Returns the box whose level contains the line.
     [[nodiscard]] std::size_t parent_of(const SceneLine& line) const {
         const SceneBox& from = scene_.boxes[line.from];
         if (from.port_of == no_box) return from.parent;
@@ -115,7 +114,7 @@ private:
         return owner.frame ? from.port_of : owner.parent;
     }
 
-    /// True if lines may join at a circle or port.
+    /// Returns true if lines may join at a circle or port.
     [[nodiscard]] bool may_meet(std::size_t a, std::size_t b) const {
         for (const std::size_t x : {scene_.lines[a].from, scene_.lines[a].to})
             for (const std::size_t y : {scene_.lines[b].from, scene_.lines[b].to})
@@ -180,7 +179,7 @@ private:
     std::vector<std::string> faults_;
 };
 
-/// -1 if `a` is completely on the lower side of `b`, 1 on the upper side, otherwise 0.
+/// Returns -1 if `a` is completely on the lower side of `b`, 1 on the upper side, otherwise 0.
 int order_of(double a_low, double a_high, double b_low, double b_high) {
     if (a_high <= b_low) return -1;
     return b_high <= a_low ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The geometry of any diagram, and the criteria that every layout must satisfy.
+// Describes the geometry of any diagram, and checks the criteria that every layout must satisfy.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace robochart::diagrams {
 
-/// The index for "no box".
+/// The index that means "no box".
 inline constexpr std::size_t no_box = static_cast<std::size_t>(-1);
 
 /// A box, a circle, or the square of a port.
@@ -21,7 +21,7 @@ struct SceneBox {
     std::size_t parent = no_box;   ///< the box that encloses a box
     std::size_t port_of = no_box;  ///< the box on whose border a port is
     bool round = false;
-    bool frame = false;  ///< the box contains everything, also lines from the ports on its border
+    bool frame = false;  ///< the box contains everything, including lines from the ports on its border
 };
 
 /// An edge between two boxes of one level.
@@ -32,28 +32,28 @@ struct SceneLine {
     layout::Rectangle label;
 };
 
-/// A diagram.
+/// The boxes and lines of a diagram.
 struct Scene {
     std::vector<SceneBox> boxes;
     std::vector<SceneLine> lines;
 };
 
-/// The scene of a picture.
+/// Returns the scene of a picture.
 [[nodiscard]] Scene scene_of(const Picture&);
 
-/// The scene of a level and its placement.
+/// Returns the scene of a level and its placement.
 [[nodiscard]] Scene scene_of(const layout::Level&, const layout::Placement&);
 
-/// The violated criteria, one sentence each. Boxes of a level, labels and ports must not overlap. No label may be on a
-/// line. Lines must not overlap, except where they join at a common circle or port. No line may cross a box. Every end
-/// is on the border of its box. Lines are horizontal and vertical. The contents of a box are within it.
+/// Returns the violated criteria, one sentence each. Boxes of a level, labels and ports must not overlap. No label may
+/// be on a line. Lines must not overlap, except where they join at a common circle or port. No line may cross a box.
+/// Every end is on the border of its box. Lines are horizontal and vertical. The contents of a box are within it.
 [[nodiscard]] std::vector<std::string> faults_of(const Scene&);
 
-/// The number of crossings of lines.
+/// Returns the number of crossings of lines.
 [[nodiscard]] std::size_t crossings_of(const Scene&);
 
-/// The share of flipped pairs: of all pairs of boxes that are in the same level of both scenes (by name), those whose
-/// left-right or top-bottom order differs.
+/// The share of flipped pairs. A pair consists of two boxes (matched by name) that are in the same level of both
+/// scenes. It is flipped if its left-right or top-bottom order differs between the scenes.
 struct Flips {
     std::size_t pairs = 0, flipped = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws of the formatter (docs/format.md): no word or comment is lost, the tree stays the same, formatting is
-// idempotent, and blanks of the input do not matter. Tested on all available texts and on random ones.
+// Tests the laws of the formatter (docs/format.md): no word or comment is lost, the tree stays the same, formatting is
+// idempotent, and blanks of the input do not matter. The test uses all available texts and random ones.
 #include <gtest/gtest.h>
 
 #include "formatting.hpp"
@@ -44,7 +44,7 @@ TEST(FormatLaws, HoldUnderRandomBlanksAndComments) {
     EXPECT_GT(correct, tried / 2) << "most mutants are not models any more";
 }
 
-/// Each example is tried with some of the forms of a comment; ROBOCHART_SEEDS=7 tries each example with all of them.
+/// Each example is tried with some of the forms of a comment. ROBOCHART_SEEDS=7 tries each example with all forms.
 TEST(FormatLaws, HoldWithACommentInEveryGap) {
     const std::vector<std::string> comments = {" /* c */ ",  " // c\n",    "\n// c\n",  "\n/* c */\n",
                                                "\n/* c */ ", " /* c */\n", "/* c\nd */"};
@@ -58,8 +58,8 @@ TEST(FormatLaws, HoldWithACommentInEveryGap) {
         }
 }
 
-/// Names of several lengths, so that lines may break anywhere. Each example is tried with some of the lengths;
-/// ROBOCHART_SEEDS=4 tries each example with all of them.
+/// Names have several lengths, so that lines may break anywhere. Each example is tried with some of the lengths.
+/// ROBOCHART_SEEDS=4 tries each example with all lengths.
 TEST(FormatLaws, HoldForLongNames) {
     const std::vector<std::size_t> lengths = {2, 8, 30, 130};
     for (const std::uint64_t seed : seeds(1))
@@ -73,7 +73,7 @@ TEST(FormatLaws, HoldForLongNames) {
         }
 }
 
-/// Random texts with every construct, names of any length, blanks and comments.
+/// Random texts have every construct, names of any length, blanks and comments.
 TEST(FormatLaws, HoldForRandomSyntax) {
     for (const std::uint64_t seed : seeds(300)) {
         Random random(seed);
@@ -89,8 +89,8 @@ TEST(FormatLaws, HoldForRandomSyntax) {
     }
 }
 
-/// In texts without empty lines and comments, only the words determine the layout. Returns true if the text can be
-/// parsed with other line ends.
+/// Checks that only the words determine the layout of texts without empty lines and comments. Returns true if the text
+/// can be parsed with other line ends.
 bool expect_independence(const Example& example) {
     const Example joined = respaced(example, [](std::string_view) { return " "; });
     const Example split = respaced(example, [](std::string_view) { return "\n"; });

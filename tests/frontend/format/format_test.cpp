@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standard layout (docs/format.md).
+// Tests the standard layout (docs/format.md).
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -29,7 +29,7 @@ TEST(Format, TheExampleOfTheDocumentationIsInTheStyle) {
     EXPECT_EQ(formatted(example), example);
 }
 
-/// The body of a machine `stm S { … }`, without its indentation.
+/// Returns the body of a machine `stm S { … }`, without its indentation.
 std::string in_machine(const std::string& body) {
     const std::string text = formatted("stm S {" + body + "}");
     std::istringstream lines(text.substr(0, text.size() - 2));
@@ -59,12 +59,13 @@ TEST(Format, LongTransitionsHaveAClauseALine) {
 }
 
 TEST(Format, ColumnsDecide) {
-    // A body that ends in column 80 (a tab counts 4) stays on one line; a body that ends in column 81 does not.
+    // A body that ends in column 80 (a tab counts as 4 columns) stays on one line. A body that ends in column 81 does
+    // not.
     const std::string fits = "\ttransition t { from i to a condition " + std::string(37, 'x') + " }\n";
     expect_format("stm S {\n" + fits + "}\n", "stm S {\n" + fits + "}\n");
     expect_format("stm S { transition t { from i to a condition " + std::string(38, 'x') + " } }",
                   "stm S {\n\ttransition t {\n\t\tfrom i to a\n\t\tcondition " + std::string(38, 'x') + "\n\t}\n}\n");
-    // A line that ends in column 120 stays; a line that ends in column 121 is broken. An umlaut in a string is one
+    // A line that ends in column 120 stays. A line that ends in column 121 is broken. An umlaut in a string takes one
     // column.
     const std::string line = "var v : nat = \"ä\" + " + std::string(92, 'y');
     EXPECT_EQ(in_machine(line + " + 1"), line + " + 1\n");
@@ -138,8 +139,8 @@ TEST(Format, LineEndsAndByteOrderMarks) {
     expect_format("type A\r\n\r\n/* x\r\n y */\r\ntype B", "type A\r\n\r\n/* x\r\n y */\r\ntype B\r\n");
     expect_format("type A\r\ntype B\n", "type A\ntype B\n");
     expect_format("type A\rtype B\r", "type A\ntype B\n");
-    expect_format("\xEF\xBB\xBFtype A", "type A\n");  // it belongs to the file:
-                                                      // Files.ReplacedTextsKeepTheirByteOrderMark
+    // The byte order mark belongs to the file (Files.ReplacedTextsKeepTheirByteOrderMark), so the text has none.
+    expect_format("\xEF\xBB\xBFtype A", "type A\n");
     expect_format("", "");
     expect_format(" \n\n", "");
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See formatting.hpp.
 #include "formatting.hpp"
 
 #include <algorithm>
@@ -90,7 +89,7 @@ void add_examples(std::vector<Example>& examples, const fs::path& folder) {
     }
 }
 
-/// The examples on the pages of the rules: their fenced blocks.
+/// Adds the examples on the pages of the rules, which are fenced blocks.
 void add_pages(std::vector<Example>& examples, const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder)) {
         std::istringstream page(read_contents(entry.path()));

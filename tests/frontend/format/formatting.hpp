@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formatting in tests: example texts, other spacings of them, and the laws that hold for every text.
+// Provides example texts for tests of the formatter, respaces these texts, and checks the laws that hold for every
+// text.
 #pragma once
 
 #include <functional>
@@ -17,26 +18,27 @@ struct Example {
     bool is_assertions = false;
 };
 
-/// The formatted text; if there is none, "" and a test failure.
+/// Returns the formatted text. If there is none, returns "" and fails the test.
 [[nodiscard]] std::string formatted(const std::string& text, bool is_assertions = false);
 
 [[nodiscard]] bool is_correct(const Example& example);
-/// True if no part of the text is kept unparsed (properties of probabilities).
+/// Returns true if the whole text is parsed. Properties of probabilities are kept unparsed.
 [[nodiscard]] bool is_read_whole(const Example& example);
 
 /// Checks that no word or comment is lost, the tree is the same, and formatting is idempotent.
 void expect_laws(const Example& example);
 
-/// All texts without syntax errors in the repository and, if present, next to it; and two texts with every construct.
+/// Returns all texts without syntax errors in the repository and, if present, next to it. Also returns two texts with
+/// every construct.
 [[nodiscard]] const std::vector<Example>& examples();
 
-/// The text with other blanks between its words; `choose` maps the old text of each gap to its new text. It inserts no
-/// line end where this would change the meaning.
+/// Returns the text with other blanks between its words. `choose` maps the old text of each gap to its new text. The
+/// function inserts no line end where this would change the meaning.
 [[nodiscard]] Example respaced(const Example& example, const std::function<std::string(std::string_view)>& choose);
-/// The text with random blanks, line ends and comments.
+/// Returns the text with random blanks, line ends and comments.
 [[nodiscard]] Example respaced(const Example& example, random_models::Random& random);
-/// The text with names that are up to `most` - 1 letters longer. Names in assertion files stay, because some are
-/// keywords there.
+/// Returns the text with names that are up to `most` - 1 letters longer. Names in assertion files stay, because some
+/// are keywords there.
 [[nodiscard]] Example lengthened(const Example& example, random_models::Random& random, std::size_t most);
 
 }  // namespace robochart::frontend::testing

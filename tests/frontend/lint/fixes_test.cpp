@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Certain fixes, applied as `validate --fix` applies them: afterwards the text is accepted.
+// Tests certain fixes. If they are applied as `validate --fix` applies them, the text is accepted afterwards.
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/fixes.hpp"
@@ -8,7 +8,7 @@
 namespace robochart::frontend {
 namespace {
 
-/// The text after all certain fixes.
+/// Returns the text after all certain fixes.
 std::string fixed(const std::string& text) {
     const auto reading = testing::resolved(text);
     const diagnostics::SourceId source = reading->file().source;
@@ -29,7 +29,7 @@ std::string module_with(const std::string& connection) {
     return with_machine("module M { robotic platform R { event e } cref c = C\n" + connection + " }");
 }
 
-/// The fix of Cn2 is correct for any text after the event, and with the platform at either end.
+/// The fix of Cn2 is correct whatever follows the event, and for a platform at either end.
 TEST(LintFixes, MakeAConnectionWithThePlatformAsynchronous) {
     for (const char* end : {"", " [mult]", " // by wire"}) {
         for (const char* ends : {"connection R on e to c on e", "connection c on e to R on e"}) {
@@ -44,7 +44,7 @@ TEST(LintFixes, MakeAConnectionWithThePlatformAsynchronous) {
     EXPECT_TRUE(testing::resolved(fixed(module_with("connection R on e to c on e")))->findings.ok());
 }
 
-/// A connection between controllers may be synchronous or asynchronous, so it is not changed.
+/// A connection between controllers may be synchronous or asynchronous, so the fix does not change it.
 TEST(LintFixes, LeaveOtherConnectionsAlone) {
     const std::string text = module_with("cref d = C connection R on e to c on e (_async) connection c on f to d on f");
     EXPECT_EQ(fixed(text), text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings that go beyond the rules: cases that the fixtures do not show. The decision procedure for guards is compared
-// with enumeration of small values.
+// Tests warnings that go beyond the rules, in cases that the fixtures do not show. Compares the decision procedure for
+// guards with an enumeration of small values.
 #include "frontend/lint/lints.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using testing::resolved;
 
 // ---------------------------------------------------------------- the decision procedure
 
-/// The only guard in a machine with x, y : int, n : nat, p, q : boolean, c : Colour in scope.
+/// Returns the only guard in a machine with x, y : int, n : nat, p, q : boolean, c : Colour in scope.
 const Expr& guard_of(const testing::Reading& reading) {
     const auto& machine = dynamic_cast<const Machine&>(*reading.file().declarations.back());
     return *machine.transitions.back()->condition;
@@ -124,8 +124,8 @@ private:
     }
 };
 
-/// Bounds of the enumerated values: the formulas below contain at most 3 comparisons with numbers up to 3, so if there
-/// is a solution, there is a small one.
+/// Returns whether some enumerated values satisfy the guard. The formulas below contain at most 3 comparisons with
+/// numbers up to 3, so if there is a solution, there is one within the bounds of the enumeration.
 bool some_values_satisfy(const Expr& guard) {
     constexpr int most = 7;
     Values v;
@@ -316,8 +316,9 @@ TEST(Lints, CanBeSwitchedOff) {
     EXPECT_EQ(reading.findings.warning_count(), 1U);
 }
 
-/// Our own models cause no warnings, with two exceptions: the note that untimed checks ignore clocks, and the published
-/// swarm model, in which components that call no operation require the only interface of operations.
+/// The project's own models cause no warnings, with two exceptions. One is the note that untimed checks ignore clocks.
+/// The other is the published swarm model, in which components that call no operation require the only interface of
+/// operations.
 TEST(Lints, HaveNothingToSayAboutTheCorpus) {
     std::size_t models = 0;
     for (const auto& entry : std::filesystem::directory_iterator(tests::source_folder().string() + "/corpus")) {
@@ -325,7 +326,7 @@ TEST(Lints, HaveNothingToSayAboutTheCorpus) {
         reading.findings.allow_code("RC-U01");
         reading.findings.allow_code("STM8");
         const auto model = load_project(reading.sources, entry.path().string(), reading.findings);
-        if (!reading.findings.ok()) continue;  // assertions about models of another folder
+        if (!reading.findings.ok()) continue;  // the assertions are about models of another folder
         ++models;
         EXPECT_TRUE(reading.findings.empty()) << reading.report();
     }

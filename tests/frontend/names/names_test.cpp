@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names: duplicate declarations, paths through references to a component, and unknown names, each reported once.
+// Tests names: duplicate declarations, paths through references to a component, and unknown names. Each is reported
+// once.
 #include <gtest/gtest.h>
 
 #include "frontend/syntax/parse.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 using testing::resolved;
 
-/// "line: message" of each note of the only finding.
+/// Returns "line: message" of each note of the only finding.
 std::string notes(const testing::Reading& reading) {
     std::string out;
     const diagnostics::Diagnostic finding = reading.findings.sorted_findings().front();
@@ -39,7 +40,7 @@ TEST(Duplicates, OfAThousandShowAFew) {
 }
 
 TEST(Duplicates, OfOneKindAreReportedBesideAnotherKind) {
-    // The interface and the types may share a name; the types are duplicates of each other.
+    // The interface and the types may share a name, but the types are duplicates of each other.
     EXPECT_EQ(resolved("interface I { event e }\ntype I\ntype I\ndatatype I { f : nat }")->codes(), "RC-N03@3");
 }
 
@@ -79,7 +80,7 @@ stm S {
 }
 )";
 
-/// The project and assertions about it, loaded together.
+/// Returns the project and assertions about it, loaded together.
 std::unique_ptr<testing::Reading> with_claims(const std::string& claims) {
     auto reading = std::make_unique<testing::Reading>();
     const auto model = reading->sources.add("p.rct", project);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Incremental resolution gives the same result as resolution from scratch, and resolves no more files than necessary.
+// Tests that incremental resolution gives the same result as resolution from scratch, and resolves no more files than
+// necessary.
 #include <gtest/gtest.h>
 
 #include "frontend/project/incremental.hpp"
@@ -20,7 +21,7 @@ using diagnostics::SourceManager;
 using random_models::Project;
 using random_models::Random;
 
-/// The dump with targets and types, and every finding with its fixes.
+/// Returns the dump with targets and types, and every finding with its fixes.
 std::string texts_of(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
     return dump_model(model, sources, true) + diagnostics::render_text(sources, findings);
 }
@@ -58,7 +59,7 @@ public:
         resolution_.resolve(model_, findings);
         return texts_of(model_, sources_, findings);
     }
-    /// True if the last resolution skipped some files.
+    /// Returns true if the last resolution skipped some files.
     [[nodiscard]] bool left_others() const { return resolution_.files_resolved() < model_.files.size(); }
     [[nodiscard]] const Project& project() const { return project_; }
     [[nodiscard]] std::size_t resolved() const { return resolution_.files_resolved(); }
@@ -70,7 +71,7 @@ private:
     Resolution resolution_;
 };
 
-/// The text with one word omitted, doubled, or replaced by another word of the text.
+/// Returns the text with one word omitted, doubled, or replaced by another word of the text.
 std::string edited(const std::string& text, bool is_assertions, Random& random) {
     SourceManager sources;
     Diagnostics ignored;
@@ -180,7 +181,7 @@ TEST(Incremental, NotesIntoTheChangedFileMove) {
     EXPECT_NE(after.find("a.rct:5:"), std::string::npos) << after;
 }
 
-/// A syntax error that hides a part of one file suppresses errors for unknown names in another file, until it is
+/// If a syntax error hides a part of one file, errors for unknown names in another file are suppressed until it is
 /// corrected.
 TEST(Incremental, WhatWasLostMattersElsewhere) {
     Kept incremental({{"a.rct", "stm M { initial i state A { } transition t { from i to A } }\n"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every name of a project has an occurrence, which refers to the named element (language reference 1.3).
+// Tests that every name of a project has an occurrence, which refers to the named element (language reference 1.3).
 #include "frontend/project/occurrences.hpp"
 
 #include <gtest/gtest.h>
@@ -156,7 +156,7 @@ TEST_F(Occurrences, FollowReferencesAlongPathsInAssertions) {
     EXPECT_TRUE(at("assertion @A1").declares);
 }
 
-/// Words that assertion files reserve only in some positions.
+/// Returns true for words that assertion files reserve only in some positions.
 bool is_assertion_word(std::string_view word) {
     static const std::set<std::string_view> words = {
         "assertion", "csp",       "timed",     "untimed",  "associated",  "deadlock",   "divergence", "timelock",
@@ -169,7 +169,7 @@ bool is_assertion_word(std::string_view word) {
     return words.contains(word);
 }
 
-/// The positions of names without an occurrence, outside package and diagram clauses.
+/// Returns the positions of names without an occurrence, outside package and diagram clauses.
 std::string uncovered(const std::string& path) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;

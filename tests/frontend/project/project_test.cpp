@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models loaded from paths: which files are loaded or rejected, and which belong together.
+// Tests how models are loaded from paths: which files are loaded or rejected, and which files belong together.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 class Project : public ::testing::Test {
 protected:
     void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-    /// Names of the project's own loaded files (or of the libraries), then the codes of the findings.
+    /// Returns the names of the project's own loaded files (or of the libraries), then the codes of the findings.
     std::string load(const std::string& name = "", bool libraries = false) {
         reading_ = std::make_unique<testing::Reading>();
         const auto model = load_project(reading_->sources, folder_.in(name), reading_->findings);

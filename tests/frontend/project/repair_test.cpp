@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Certain fixes on every example of the rules: the text that `validate --fix` would write is better than the original.
+// Tests certain fixes on every example of the rules. The text that `validate --fix` would write must be better than the
+// original.
 #include "base/repair/repair.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ diagnostics::Repaired repaired(const Texts& texts) {
     return diagnostics::repair(texts, read_texts, syntax::is_syntax);
 }
 
-/// 0: syntax, 1: other errors, 2: warnings.
+/// Returns 0 for syntax errors, 1 for other errors, and 2 for warnings.
 int level_of(const diagnostics::Rule& rule) {
     if (syntax::is_syntax(rule)) return 0;
     return rule.severity == diagnostics::Severity::error ? 1 : 2;
@@ -49,7 +50,7 @@ bool includes(const std::multiset<std::string>& all, const std::multiset<std::st
     return std::ranges::includes(all, some);
 }
 
-/// The texts after one fix.
+/// Returns the texts after one fix.
 Texts with_fix(const diagnostics::TextReading& reading, const Texts& texts, const diagnostics::FixIt& fix) {
     Texts result = texts;
     std::string& text = result.at(reading.sources.path(fix.span.source));
@@ -57,7 +58,8 @@ Texts with_fix(const diagnostics::TextReading& reading, const Texts& texts, cons
     return result;
 }
 
-/// Checks that there are fewer findings of some level, and no new ones of this level or of those that could hide it.
+/// Checks that there are fewer findings of some level, and no new findings of this level or of levels that could hide
+/// it.
 void expect_better(const diagnostics::TextReading& before, const diagnostics::TextReading& after,
                    const std::string& what) {
     for (int level = 0; level < 3; ++level) {
@@ -69,7 +71,7 @@ void expect_better(const diagnostics::TextReading& before, const diagnostics::Te
     ADD_FAILURE() << what << "nothing is better";
 }
 
-/// Checks that each certain fix alone improves the text, and that all fixes that are made together do.
+/// Checks that each certain fix improves the text, and that all fixes that can be made together do.
 void expect_repaired(const Texts& texts, std::size_t& fixes) {
     const auto before = read_texts(texts);
     for (const diagnostics::Diagnostic& finding : before->findings.sorted_findings()) {
@@ -102,7 +104,7 @@ TEST(Repair, MakesEveryFixtureBetter) {
     EXPECT_GT(fixes, 3U);
 }
 
-/// The fenced blocks of one example; each block is a file.
+/// The fenced blocks of one example. Each block is a file.
 struct Example {
     Texts texts;
 };
@@ -175,7 +177,7 @@ diagnostics::Repaired without_x(const std::string& text, const std::string& inst
         [](const diagnostics::Rule&) { return false; });
 }
 
-/// The fix next to a `y` would replace one finding by another: only this fix is skipped.
+/// The fix next to a `y` would replace one finding by another, so only this fix is skipped.
 TEST(Repair, LeavesOutTheFixThatBringsAFinding) {
     const diagnostics::Repaired result = without_x("x.x.yx.x.x", "y");
     EXPECT_EQ(result.texts, (Texts{{"a", "y.y.yx.y.y"}}));

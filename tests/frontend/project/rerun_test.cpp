@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolution may run repeatedly on the same trees, and on trees some of which were replaced.
+// Tests that resolution may run repeatedly on the same trees, and on trees some of which were replaced.
 #include <gtest/gtest.h>
 
 #include "frontend/syntax/parse.hpp"
@@ -12,7 +12,7 @@ namespace {
 using diagnostics::Diagnostics;
 using diagnostics::SourceManager;
 
-/// The resolved model as text: the dump with targets and types, and every finding.
+/// Returns the resolved model as text: the dump with targets and types, and every finding.
 std::string texts_of(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
     return dump_model(model, sources, true) + diagnostics::render_text(sources, findings);
 }
@@ -59,7 +59,7 @@ constexpr const char* user =
     "controller C { requires I sref s = S connection C on e to s on e }\n";
 constexpr const char* library = "interface I { var x : nat }\nenumeration E { first second }\n";
 
-/// A file that others refer to is replaced by another one: the result equals that of a newly loaded project.
+/// A file to which others refer is replaced by another file. The result equals that of a newly loaded project.
 TEST(Rerun, AfterAFileWasReplaced) {
     const auto build = [](SourceManager& sources, const std::string& second) {
         Model model;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that belong together (frontend/project/units.hpp).
+// Tests which files belong together (frontend/project/units.hpp).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ struct Text {
     std::string path, text;
 };
 
-/// The paths of each unit's files; a prefix marks files with `again`.
+/// Returns the paths of each unit's files. A prefix marks files with `again`.
 std::vector<std::vector<std::string>> units_of(const std::vector<Text>& texts) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -70,7 +70,7 @@ TEST(Units, AssertionFilesBelongToWhatTheyAreAbout) {
                 ElementsAre(ElementsAre("a.rct", "b.rct", "x.assertions")));
 }
 
-// Independent projects may use the same names: a name means the nearest element.
+// Independent projects may use the same names. A name denotes the nearest element.
 TEST(Units, TheNearestOfOneNameIsMeant) {
     const std::string claim = "assertion A : S is deadlock-free";
     EXPECT_THAT(
@@ -88,11 +88,11 @@ TEST(Units, TheNearestOfOneNameIsMeant) {
                           {"/p/b/m.rct", t},
                           {"/p/b/x.assertions", "csp Instantiations csp-begin\nnametype core_nat = {0..3}\ncsp-end"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
-    // A controller means its own machine, not a machine of another controller with the same name.
+    // A controller refers to its own machine, not to a machine of another controller with the same name.
     EXPECT_THAT(units_of({{"/p/a/m.rct", "controller C { sref s = S } " + s},
                           {"/p/b/m.rct", "controller C { stm S { " + body + " }"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct")));
-    // An imported element nearby has precedence over an element outside packages that is farther away.
+    // A nearby element that is imported has precedence over a more distant element outside packages.
     EXPECT_THAT(
         units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/m.assertions", "import P::* " + claim}}),
         ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One missing declaration causes one error; elements that depend on it cause no further errors.
+// Tests that one missing declaration causes one error. Elements that depend on it cause no further errors.
 #include <gtest/gtest.h>
 
 #include "tests/frontend/fixture.hpp"
@@ -15,7 +15,7 @@ const std::string interfaces =
     "interface Data { var speed : nat var height : nat }\n"
     "robotic platform R { uses Signals provides Calls provides Data }\n";
 
-/// A project in which a machine with these clauses uses all declarations, with a controller and a module.
+/// Returns a project in which a machine with these clauses uses all declarations, with a controller and a module.
 std::string project(const std::string& machine,
                     const std::string& controller = "uses Signals requires Calls requires Data",
                     const std::string& platform = interfaces) {
@@ -56,7 +56,7 @@ TEST(Missing, AForgottenClauseIsOneError) {
     EXPECT_NE(report.find("`requires Data`"), std::string::npos) << report;
 }
 
-/// The controller itself does not use the event, so one of the connections is reported.
+/// The controller itself does not use the event, so only one of the connections is reported.
 TEST(Missing, AForgottenClauseOfAControllerIsOneError) {
     std::string report;
     EXPECT_EQ(errors(project("uses Signals requires Calls requires Data", "requires Calls requires Data"), report), 1U)
@@ -95,7 +95,7 @@ TEST(Missing, AnImportThatBringsNothingIsOneErrorAndAWarning) {
     EXPECT_EQ(reading->findings.error_count(), 1U) << reading->report();
     EXPECT_NE(reading->report().find("there is no package `q`, which the file imports"), std::string::npos)
         << reading->report();
-    // Without the import, each of them causes an error.
+    // Without the import, each of the names causes an error.
     EXPECT_EQ(resolved("package p interface I { var a : T var b : U const c : V }")->findings.error_count(), 3U);
 }
 

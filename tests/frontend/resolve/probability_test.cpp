@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilistic assertions: the elements that their names mean, and the types that a property may have.
+// Tests probabilistic assertions: the elements that their names denote, and the types that a property may have.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ constexpr const char* model =
     "stm S { var count : nat var lit : boolean const p : real event e initial i state A { initial j state B { }\n"
     "  transition u { from j to B } } transition t { from i to A } }\n";
 
-/// The model together with an assertion file.
+/// Returns the model together with an assertion file.
 std::unique_ptr<Reading> with_claims(const std::string& claims) {
     auto reading = testing::read(model);
     const auto id = reading->sources.add("t.assertions", claims);
@@ -29,7 +29,7 @@ std::unique_ptr<Reading> with_claims(const std::string& claims) {
     return reading;
 }
 
-/// The codes of errors, each with its suggested fix.
+/// Returns the codes of errors, each with its suggested fix.
 std::string errors(const std::string& claims) {
     const auto reading = with_claims(claims);
     std::string out;
@@ -41,7 +41,8 @@ std::string errors(const std::string& claims) {
     return out;
 }
 
-/// "name=place" of every name with a target in the first property; the place is the enclosing element of the target.
+/// Returns "name=place" for every name with a target in the first property. The place is the enclosing element of the
+/// target.
 std::string targets(const std::string& claims) {
     const auto reading = with_claims(claims);
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
@@ -102,7 +103,7 @@ TEST(Probability, UnknownNamesAreErrorsWithASuggestion) {
     EXPECT_EQ(errors("prob property P: Reward {r} =? of [Total]"), "RC-N01");
 }
 
-// The reference's validator: NotBooleanOrQueryInProbAssertion, NotPathFormulaInProbAssertion.
+// The reference's validator has the rules NotBooleanOrQueryInProbAssertion and NotPathFormulaInProbAssertion.
 TEST(Probability, PropertiesAreBooleanOrQueries) {
     for (const char* number : {"1", "-1", "1.5 + 2", "(1)", "S::count", "\"text\""})
         EXPECT_EQ(errors("prob property P: " + std::string(number)), "RC-Q11") << number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Targets of names, and types of expressions.
+// Tests targets of names, and types of expressions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::resolved;
 
-/// The type of a constant's value, in an interface that first declares these members.
+/// Returns the type of a constant's value, in an interface that first declares these members.
 std::string type_of(const std::string& expression, const std::string& members = "", const std::string& before = "") {
     const auto reading =
         resolved(before + "\ninterface I { " + members + " const result_value : ?Z = " + expression + " }");
@@ -25,7 +25,7 @@ std::string type_of(const std::string& expression, const std::string& members = 
     return to_string(interface->variables.back()->initial->type);
 }
 
-// Language reference 2, Types.
+// The types follow from language reference 2, Types.
 TEST(Types, OfOperators) {
     EXPECT_EQ(type_of("1 + 2"), "nat");
     EXPECT_EQ(type_of("1 - 2"), "int");
@@ -110,7 +110,7 @@ TEST(Types, OfForms) {
 
 // ---------------------------------------------------------------- compat(a, b)
 
-/// Random types without type variables and with known sizes, smaller ones more often.
+/// Draws random types without type variables and with known sizes. Smaller types are drawn more often.
 class RandomTypes {
 public:
     TypePtr next(int depth = 3) {
@@ -138,7 +138,7 @@ private:
     std::mt19937 random_{1};
 };
 
-/// A wider type, another form of a type with the same values, or the type itself.
+/// Returns a wider type, another form of a type with the same values, or the type itself.
 TypePtr widened(const TypePtr& type) {
     if (type->form == TypeForm::nat) return make_type(TypeForm::integer);
     if (type->form == TypeForm::integer) return make_type(TypeForm::real);
@@ -224,7 +224,7 @@ TEST(Types, OfGenericCalls) {
     EXPECT_EQ(type_of("s(1)", "const s : Seq(boolean)"), "boolean");
 }
 
-/// Types in RoboChart's notation, for compatibility.
+/// Returns the type that this text in RoboChart's notation denotes.
 TypePtr written(const std::string& text) {
     const auto reading = resolved("interface I { var v : " + text + " }");
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
@@ -259,7 +259,7 @@ TEST(Types, ATypeIsDeclaredWhereItsFileSees) {
     EXPECT_EQ(resolved("package P interface I { var v : Q::T }")->codes(), "RC-N01@1");
 }
 
-/// The findings of several files, resolved in the given order.
+/// Returns the findings of several files, resolved in the given order.
 std::string codes_of(const std::vector<std::string>& texts) {
     testing::Reading reading;
     for (const std::string& text : texts) {
@@ -295,8 +295,8 @@ TEST(Names, TheFilesOwnDeclarationsComeFirst) {
     EXPECT_EQ(reading.codes(), "RC-N03@1") << reading.report();
 }
 
-/// A package, and a controller with the same name that refers to the machine: the literal path has precedence over the
-/// path through the reference (language reference 1.3 has no such paths).
+/// A package and a controller have the same name, and the controller refers to the machine. The literal path has
+/// precedence over the path through the reference (language reference 1.3 has no such paths).
 TEST(Names, APathAsWrittenGoesBeforeTheNameOfADefinition) {
     testing::Reading reading;
     const auto add = [&](const char* name, const char* text, bool assertions) {
@@ -349,7 +349,7 @@ TEST(Names, AMachineDoesNotSeeItsController) {
     EXPECT_NE(reading->report().find("controller `C` has one"), std::string::npos) << reading->report();
 }
 
-/// The qualifier before `::` is the declaring element; any other qualifier is an error.
+/// The qualifier before `::` is the declaring element. Any other qualifier is an error.
 TEST(Names, QualifiersOfOperationsAndVariablesAreLookedAt) {
     const auto entering = [](const std::string& statement) {
         const auto reading = testing::resolved(
@@ -413,7 +413,7 @@ TEST(Names, EveryFieldIsFilled) {
             transition u { from s to s trigger e ? x #T condition since ( T ) > x }
         }
         controller C { uses Events opref o = op sref s = S connection C on e to s on e [ mult ] })");
-    // A machine must declare its clocks: C10. Time in conditions: RC-U01.
+    // C10: a machine must declare its clocks. RC-U01: time in conditions.
     EXPECT_EQ(reading->codes(), "RC-U01@10 C10@12") << reading->report();
     EXPECT_EQ(reading->dumped(true).find("-> nothing"), std::string::npos) << reading->dumped(true);
     const auto& machine = dynamic_cast<const Machine&>(*reading->file().declarations[3]);

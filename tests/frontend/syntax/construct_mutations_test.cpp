@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One mistake in any construct: every word of the table of constructs is omitted, doubled, or exchanged with the next
-// word. The parser must end, report one or two errors if the text is invalid, and parse the text after the construct.
+// Tests one mistake in any construct. Every word of the table of constructs is omitted, doubled, or exchanged with the
+// next word. The parser must end, report one or two errors if the text is invalid, and parse the text after the
+// construct.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,11 +100,12 @@ void mutate(const std::string& text, bool is_assertions, Count& count) {
     }
 }
 
-/// An omitted or doubled word is one mistake. An unmatched bracket or brace is also reported at the end of the
-/// construct: two messages. Two exchanged words may cause errors at both positions and, if one is a brace, at the end
-/// too: three messages. This happens only in the few constructs with inner braces, so at less than one position in a
-/// hundred. The next declaration starts on a new line with a keyword that starts nothing else, so it is parsed. PRISM
-/// parts are kept as text up to the word that ends them; without that word they may hide it.
+/// Checks mutations of these rows. An omitted or doubled word is one mistake. An unmatched bracket or brace is also
+/// reported at the end of the construct, which makes two messages. Two exchanged words may cause errors at both
+/// positions and, if one is a brace, at the end too, which makes three messages. This happens only in the few
+/// constructs with inner braces, so at less than one position in a hundred. The next declaration starts on a new line
+/// with a keyword that starts nothing else, so it is parsed. PRISM parts are kept as text up to the word that ends
+/// them. Without that word, they may hide the next declaration.
 void check(const char* name, const std::vector<Row>& rows, const Frame& frame, bool is_assertions = false) {
     Count count;
     for (const Row& row : rows) mutate(frame(row.text), is_assertions, count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of constructs: see constructs.hpp.
+// Contains the table of constructs (constructs.hpp).
 #include "constructs.hpp"
 
 #define IN_GUARD(text) "stm S { transition t { from a to b condition " text " } }"

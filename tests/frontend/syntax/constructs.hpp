@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row for each construct of the grammar (language reference 1.1, assertion reference 4): its text and the expected
-// tree, or the rule that rejects it. A construct without a row is a construct without a test.
+// Lists one row for each construct of the grammar (language reference 1.1, assertion reference 4): its text, and the
+// expected tree or the rule that rejects it. A construct without a row is a construct without a test.
 #pragma once
 
 #include <ostream>
@@ -15,21 +15,22 @@ struct Row {
 };
 std::ostream& operator<<(std::ostream& out, const Row& row);
 
-/// Expressions that bind tightest.
+/// Returns the rows for expressions with the highest precedence.
 [[nodiscard]] const std::vector<Row>& atoms();
-/// Operators from the lowest to the highest precedence; each level is combined with its neighbours.
+/// Returns the rows for operators, from the lowest to the highest precedence. Each level is combined with its
+/// neighbours.
 [[nodiscard]] const std::vector<Row>& operators();
-/// Types.
+/// Returns the rows for types.
 [[nodiscard]] const std::vector<Row>& types();
-/// Statements.
+/// Returns the rows for statements.
 [[nodiscard]] const std::vector<Row>& statements();
-/// Clauses of a transition, after `from a to b`.
+/// Returns the rows for clauses of a transition, after `from a to b`.
 [[nodiscard]] const std::vector<Row>& clauses();
-/// Whole files of declarations.
+/// Returns the rows for whole files of declarations.
 [[nodiscard]] const std::vector<Row>& declarations();
-/// Whole files of assertions.
+/// Returns the rows for whole files of assertions.
 [[nodiscard]] const std::vector<Row>& assertions();
-/// Texts that the grammar forbids: whole files, with the finding.
+/// Returns whole files that the grammar forbids, each with its finding.
 [[nodiscard]] const std::vector<Row>& refused();
 
 /// The file in which the text of a row is embedded.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every construct of the grammar (constructs.hpp) gives the expected tree, or is rejected by the rule that it violates.
+// Tests that every construct of the grammar (constructs.hpp) gives the expected tree, or is rejected by the rule that
+// it violates.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -70,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Grammar, Statements, ::testing::ValuesIn(testing::state
 
 class Clauses : public ::testing::TestWithParam<Row> {};
 
-/// The clauses of a transition after `from a to b`, as `dump` shows them.
+/// Compares the clauses of a transition after `from a to b`, as `dump` shows them.
 TEST_P(Clauses, GiveTheTree) {
     const auto reading = read(testing::as_clauses(GetParam().text));
     EXPECT_TRUE(reading->findings.empty()) << reading->report();
@@ -89,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Grammar, Clauses, ::testing::ValuesIn(testing::clauses(
 
 class Declarations : public ::testing::TestWithParam<Row> {};
 
-/// The dump of a file without its first line, with `/` for line ends.
+/// Compares the dump of a file without its first line, with `/` for line ends.
 TEST_P(Declarations, GiveTheTree) {
     const auto reading = read(GetParam().text);
     EXPECT_TRUE(reading->findings.empty()) << reading->report();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extreme texts: nesting a hundred thousand deep, lines of megabytes, very long names and numbers. Each gives a finding
-// or a tree in linear time, without a crash or a report as long as the text.
+// Tests extreme texts: nesting a hundred thousand deep, lines of megabytes, very long names and numbers. Each gives a
+// finding or a tree in linear time, without a crash and without a report as long as the text.
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/json.hpp"
@@ -40,7 +40,7 @@ std::string in_claim(const std::string& text) {
     return "assertion A: X terminates with constant c of X set to\n" + text;
 }
 
-/// Parses and resolves; the report must stay short. With quadratic time the test would not end.
+/// Parses and resolves the text. The report must stay short. With quadratic time the test would not end.
 std::unique_ptr<testing::Reading> judged(const std::string& text, bool is_assertions = false) {
     auto reading = resolved(text, is_assertions);
     EXPECT_LT(reading->report().size(), 100'000U) << text.substr(0, 60);
@@ -115,7 +115,7 @@ TEST(Extremes, NestedPackagesAreOneMistake) {
     EXPECT_EQ(judged("package\n" + times(deep, "a::") + "a assertion A: X terminates", true)->codes(), "RC-P02@2");
 }
 
-/// No construct outside machines can be nested, so every brace is another mistake here, up to the limit.
+/// Constructs outside machines cannot be nested, so every brace is another mistake here, up to the limit.
 TEST(Extremes, NestedBracesAreAFewMistakes) {
     for (const char* around : {"", "interface I { ", "module M { ", "controller C { ", "robotic platform R { ",
                                "datatype D { ", "enumeration E { ", "function f():nat { "})

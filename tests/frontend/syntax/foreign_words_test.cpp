@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of other notations: each row of the table is recognised in its position and reported once with RoboChart's word
-// for it. The rest of the text is parsed as if RoboChart's word were there.
+// Tests words of other notations. Each row of the table is recognised in its position and reported once with
+// RoboChart's word for it. The rest of the text is parsed as if RoboChart's word were there.
 #include "frontend/syntax/foreign_words.hpp"
 
 #include <gmock/gmock.h>
@@ -20,11 +20,11 @@ using ::testing::HasSubstr;
 using testing::read;
 using testing::resolved;
 
-/// The parts of a machine; the tested text is inserted between them.
+/// The parts of a machine. The tested text is inserted between them.
 const std::string before = "stm S {\n event e event f clock C var x : int var b : boolean\n initial i\n state A { }\n";
 const std::string after = "\n transition t0 { from i to A }\n}\n";
 
-/// Text after the word that makes the text with the replacement valid.
+/// Returns text to follow the word, so that the text with the replacement is valid.
 std::string rest_of(const ForeignWord& row) {
     switch (row.place) {
         case ForeignPlace::clause:
@@ -59,7 +59,7 @@ std::string member_rest(const ForeignWord& row) {
     return " g";
 }
 
-/// Text after the word that begins a declaration.
+/// Returns text to follow the word that begins a declaration.
 std::string declaration_rest(const ForeignWord& row) {
     if (row.instead == "stm") return " S { initial i state A { } }";
     if (row.instead == "enumeration" || row.instead == "datatype") return " T { }";
@@ -67,7 +67,7 @@ std::string declaration_rest(const ForeignWord& row) {
     return row.instead == "operation" ? " g() { }" : " T";
 }
 
-/// A text with the row's word in its position; "" for positions that the parser does not check.
+/// Returns a text with the row's word in its position, or "" for positions that the parser does not check.
 std::string text_with(const ForeignWord& row) {
     const std::string word(row.word);
     switch (row.place) {
@@ -116,7 +116,7 @@ TEST(ForeignWords, EachRowIsReportedOnceAndFixedWhereAWordReplacesIt) {
     }
 }
 
-/// The replacements in the table are words of RoboChart, and no two rows for a position have the same word.
+/// The replacements in the table are words of RoboChart. No two rows for a position have the same word.
 TEST(ForeignWords, RowsNameWordsOfTheGrammar) {
     for (const ForeignWord& row : foreign_words()) {
         EXPECT_FALSE(row.reason.empty()) << row.word;
@@ -132,10 +132,10 @@ TEST(ForeignWords, RowsNameWordsOfTheGrammar) {
 struct Written {
     const char* text;     ///< in a machine
     const char* reason;   ///< part of the message
-    const char* instead;  ///< the text of its fix; "": no fix
+    const char* instead;  ///< the text of its fix, or "" if there is none
 };
 
-/// Forms that consist of more than a word.
+/// Tests forms that consist of more than a word.
 TEST(ForeignForms, AreReportedOnceWithTheirFix) {
     const Written forms[] = {
         {"transition t1 { from A to A trigger e [ x > 0 ] }", "after `condition`", "condition x > 0"},
@@ -183,7 +183,7 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
     }
 }
 
-/// The text after the certain fixes; it must have no finding.
+/// Returns the text after the certain fixes, which must have no finding.
 std::string fixed(const std::string& text, const std::string& code) {
     const auto reading = read(text, text.starts_with("assertion"));
     std::vector<diagnostics::FixIt> fixes;
@@ -377,7 +377,7 @@ TEST(ForeignForms, OfSeveralWordsAreExplained) {
     }
 }
 
-/// `1e5` is neither a 1 with a suffix nor a list of two.
+/// `1e5` is neither a 1 with a suffix nor a list of two items.
 TEST(ForeignForms, AnExponentIsNotLeftOut) {
     const auto reading = read("stm S { initial i state A { entry f(1e5) } transition t { from i to A } }");
     ASSERT_FALSE(reading->findings.ok());
@@ -404,8 +404,8 @@ TEST(ForeignForms, AnIfWithoutEndSaysWhichOne) {
     EXPECT_TRUE(fixed->findings.ok()) << fixed->report();
 }
 
-/// Names whose meaning depends on the declarations: the finding reports an unknown name, and its note suggests the
-/// meaning.
+/// The meaning of these names depends on the declarations. The finding reports an unknown name, and its note suggests
+/// the meaning.
 TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
     const Written forms[] = {
         {"transition t1 { from A to A condition C > 20 }", "time since its last reset", "since(C)"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Confused forms, and missing braces: one error that states the correct form, with a fix that parses as intended.
+// Tests confused forms and missing braces. Each causes one error that states the correct form, with a fix that parses
+// as intended.
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/fixes.hpp"
@@ -16,7 +17,7 @@ std::string machine(const std::string& transition) {
            transition + "\n  transition t2 { from B to A }\n}\n";
 }
 
-/// The text after the fix of its only error.
+/// Returns the text after the fix of its only error.
 std::string fixed(const std::string& text, bool assertions = false) {
     const auto reading = read(text, assertions);
     const auto findings = reading->findings.sorted_findings();
@@ -43,7 +44,7 @@ TEST(OneError, BracesOfATransitionAreMissing) {
     EXPECT_EQ(fixed(machine("from A to B }")), machine("{ from A to B }"));
 }
 
-/// In a well laid out text, each brace is omitted, one at a time.
+/// Each brace of a well laid out text is omitted, one at a time.
 TEST(OneError, ABraceIsMissing) {
     const std::string whole =
         "interface I {\n  event e\n}\nenumeration E {\n  a b\n}\ndatatype D {\n  f : nat\n}\nstm M {\n  uses I\n  var "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every construct of the grammar, mistakes and recovery, and input that is not a model.
+// Tests every construct of the grammar, mistakes and recovery, and input that is not a model.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::read;
 
-/// The guard of the only transition in a machine with this text.
+/// Returns the guard of the only transition in a machine with this text.
 std::string guard(const std::string& text) {
     const auto reading = read("stm S { transition t { from a to b condition " + text + " } }");
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
@@ -22,7 +22,7 @@ std::string guard(const std::string& text) {
     return to_text(*machine->transitions.at(0)->condition);
 }
 
-/// The guard with every operator in parentheses, which shows the shape of the tree.
+/// Returns the guard with every operator in parentheses, which shows the shape of the tree.
 std::string shape(const Expr& expr) {
     if (expr.kind == ExprKind::binary)
         return "(" + shape(*expr.args[0]) + std::string(to_text(*expr.binary)) + shape(*expr.args[1]) + ")";
@@ -62,7 +62,7 @@ TEST(Lexer, KeepsPlacesOfComments) {
     EXPECT_EQ(reading->file().declarations.size(), 2U);
 }
 
-// Precedence as listed in the language reference 1.1, lowest to highest.
+// The precedence is listed in the language reference 1.1, from lowest to highest.
 TEST(Parser, OperatorsBindAsTheGrammarSays) {
     EXPECT_EQ(guard_shape("a iff b => c \\/ d /\\ e"), "(aiff(b=>(c\\/(d/\\e))))");
     EXPECT_EQ(guard_shape("a => b => c"), "((a=>b)=>c)");
@@ -79,7 +79,7 @@ TEST(Parser, OperatorsBindAsTheGrammarSays) {
     EXPECT_EQ(guard_shape("- x.f + y[1]"), "((-x.f)+y[1])");
 }
 
-// Atoms and binders: the printed text equals the input.
+// The printed text of atoms and binders equals the input.
 TEST(Parser, ReadsEveryFormOfExpression) {
     for (const char* text : {"true",
                              "1",
@@ -325,7 +325,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"assertion A: S terminates with constant a of S set to 1, constant b of S set to 2", "RC-P17@1", true},
         Mistake{"assertion A: S is deadlock\nassertion B: S terminates", "RC-P01@1", true}));
 
-/// "LINE: message" of the first finding's first note.
+/// Returns "LINE: message" of the first finding's first note.
 std::string first_note(const std::string& text) {
     const auto reading = read(text);
     if (reading->findings.ok()) return "no finding";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The five libraries of the language (language reference 1.3), and that the order of files and declarations does not
-// matter.
+// Tests the five libraries of the language (language reference 1.3), and that the order of files and declarations does
+// not matter.
 #include "frontend/toolkits/toolkits.hpp"
 #include "frontend/syntax/parse.hpp"
 
@@ -84,7 +84,7 @@ TEST(Library, CoreNeedsNoImportAndIsDeclaredSomewhere) {
 
 // ---------------------------------------------------------------- order
 
-/// A project as the declarations of its files. Some contain mistakes, so that there are findings.
+/// A project as the declarations of its files. Some declarations contain mistakes, so that there are findings.
 const std::vector<std::pair<std::string, std::vector<std::string>>> project = {
     {"package a\nimport b::*\n",
      {"interface I { event e:T var v:nat }",
@@ -98,7 +98,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> project = {
 
 using Order = std::vector<std::vector<std::size_t>>;
 
-/// Findings as text without places, for files and declarations in the given order.
+/// Returns the findings as text without places, for files and declarations in the given order.
 std::multiset<std::string> findings_of(const std::vector<std::size_t>& files, const Order& order) {
     testing::Reading reading;
     for (const std::size_t f : files) {

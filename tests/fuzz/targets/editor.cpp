@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language server with any input: a session with an editor that types and sends requests at random, and arbitrary
-// bytes on its stream.
+// Tests the language server with any input: a session with an editor that types and sends requests at random, and
+// arbitrary bytes on its input stream.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -18,7 +18,7 @@ namespace {
 
 using lsp::Json;
 
-/// One project with CSPM scripts; none of the files exists on disk.
+/// One project with CSPM scripts. None of the files exists on disk.
 constexpr std::array<std::string_view, 5> uris = {"file:///fuzzed/a.rct", "file:///fuzzed/b.rct",
                                                   "file:///fuzzed/c.assertions", "file:///fuzzed/d.csp",
                                                   "file:///fuzzed/e.csp"};
@@ -88,7 +88,7 @@ public:
     }
 
     [[nodiscard]] const std::string& complaint() const { return complaint_; }
-    /// The latest diagnostics of all files.
+    /// Returns the latest diagnostics of all files.
     [[nodiscard]] std::string shown_text() const {
         std::string all;
         for (const auto& [uri, list] : shown_)
@@ -136,7 +136,7 @@ private:
     lsp::Server server_;
 };
 
-/// JSON contains only text; other bytes become question marks.
+/// Returns the bytes as text for JSON. Bytes above 127 become question marks.
 std::string as_text(std::string_view bytes) {
     std::string text(bytes);
     for (char& c : text)
@@ -148,13 +148,13 @@ bool is_plain(const std::string& text, std::size_t place) {
     return place < text.size() && static_cast<unsigned char>(text[place]) < 0x80U;
 }
 
-/// The start of the UTF-8 character at this position.
+/// Returns the start of the UTF-8 character at this position.
 std::size_t character_begin(const std::string& text, std::size_t place) {
     while (place < text.size() && (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U) --place;
     return place;
 }
 
-/// The texts of the files, in order; there may be fewer than files.
+/// Returns the texts of the files, in order. There may be fewer texts than files.
 Texts divide_texts(const std::string& text) {
     Texts texts;
     std::size_t begin = 0;
@@ -167,7 +167,7 @@ Texts divide_texts(const std::string& text) {
     return texts;
 }
 
-/// Files on disk are not part of the input, so it must not name any.
+/// Returns whether the input may name files on disk. Such files are not part of the input, so this is not allowed.
 bool may_name_files(std::string_view bytes) {
     constexpr std::array<std::string_view, 7> signs = {"file:", "root", "Folders\":[", "added", "\"/", "\\/", "\\u002"};
     return std::ranges::any_of(signs,
@@ -176,8 +176,8 @@ bool may_name_files(std::string_view bytes) {
 
 }  // namespace
 
-/// The first line contains the actions, three bytes per step. The other lines are the documents, separated by form
-/// feeds.
+/// Runs a session. The first line contains the actions, three bytes per step. The other lines are the documents,
+/// separated by form feeds.
 std::string run_editor(std::string_view bytes) {
     constexpr std::size_t most_steps = 24;
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
@@ -204,7 +204,8 @@ std::string run_editor(std::string_view bytes) {
                : "diagnostics depend on how the text was typed:\n" + editor.shown_text() + "/\n" + fresh.shown_text();
 }
 
-/// The server handles every message and every error of the stream, and ends with the stream.
+/// Serves the bytes as a stream. The server handles every message and every error of the stream, and ends at the end of
+/// the stream.
 std::string run_stream(std::string_view bytes) {
     if (may_name_files(bytes)) return {};
     std::istringstream in{std::string(bytes)};

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See findings.hpp.
 #include "tests/fuzz/targets/findings.hpp"
 
 #include "base/diagnostics/render.hpp"

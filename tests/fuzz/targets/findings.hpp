@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of findings that hold for every text.
+// Checks properties of findings that hold for every text.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace robochart::fuzz {
 
-/// Prints all findings as text and as JSON, and checks their places. Returns the first violated property, "" if there
-/// is none.
+/// Prints all findings as text and as JSON, and checks their places. Returns the first violated property, or "" if
+/// there is none.
 [[nodiscard]] std::string check_findings(const diagnostics::SourceManager& sources,
                                          const diagnostics::Diagnostics& findings);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboChart's front end with any input, then the properties of the printer.
+// Tests RoboChart's front end with any input, and then the properties of the printer.
 #include <memory>
 
 #include "frontend/format/format.hpp"
@@ -34,19 +34,19 @@ std::string dump_file(const Reading& reading, std::unique_ptr<File> file) {
     return dump_model(model, reading.sources, false);
 }
 
-/// Printed text parses to the same tree and prints the same again.
+/// Checks that printed text parses to the same tree and prints the same again.
 std::string check_printing(const File& file, const std::string& tree) {
     const std::string text = to_text(file);
     if (file.has_syntax_errors) return {};
     Reading again(text, file.is_assertions);
     if (!again.findings.ok()) return "a printed file is not read back:\n" + text;
     if (to_text(*again.file) != text) return "a printed file prints differently when read back:\n" + text;
-    if (file.is_assertions) return {};  // their dump quotes the text
+    if (file.is_assertions) return {};  // the dump of assertions quotes the text
     const std::string second = dump_file(again, std::move(again.file));
     return second == tree ? "" : "a printed file is read back as another:\n" + tree + "\n/\n" + second;
 }
 
-/// Formatting keeps the words and is idempotent.
+/// Checks that formatting keeps the words and is idempotent.
 std::string check_formatting(std::string_view text, bool is_assertions) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -83,7 +83,7 @@ std::string run(std::string_view bytes, bool is_assertions, std::string_view bes
     return complaint;
 }
 
-/// A model with names for assertions.
+/// A model whose names the assertions may use.
 constexpr std::string_view model_beside = R"(package m
 interface I { event e event v: nat }
 interface O { const c: nat move(p: nat) }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// MCAP files with any content: the reader finds an error at a byte of the file, or a log that is in the file.
+// Tests MCAP files with any content. The reader finds an error at a byte of the file, or a log that is in the file.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// CSPM scripts with any input: a parsed script is printed and parsed again, and must be equal.
+// Tests CSPM scripts with any input. If a script can be parsed, it is printed and parsed again, and the trees must be
+// equal.
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/fuzz/targets/findings.hpp"
 #include "tests/fuzz/targets/targets.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The components after the front end with any input. A model without errors is lowered, instantiated, written as CSP in
-// both times and type checked. Its obligations and core properties are decided with small limits, and its components
-// are generated as C++.
+// Tests the components after the front end with any input. A model without errors is lowered, instantiated, written as
+// CSP in both times and type checked. Its obligations and core properties are decided with small limits, and its
+// components are generated as C++.
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -35,10 +35,10 @@ refine::Limits small_limits() {
     return limits;
 }
 
-/// The phases in order, until one rejects the model.
+/// Runs the phases in order, until one rejects the model.
 class Phases {
 public:
-    /// The first violated property; "" if there is none.
+    /// Returns the first violated property, or "" if there is none.
     std::string run(std::string_view bytes) {
         findings_.set_budget(&budget_);
         read(bytes);
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// Files are separated by form feeds; assertion files start with `!`.
+    /// Reads the files, which are separated by form feeds. Assertion files start with `!`.
     void read(std::string_view bytes) {
         for (std::size_t begin = 0, file = 0; begin <= bytes.size(); ++file) {
             const std::size_t end = std::min(bytes.find('\f', begin), bytes.size());
@@ -70,7 +70,7 @@ private:
         }
     }
 
-    /// A rejection must name its rule.
+    /// Checks that a rejection names its rule.
     std::string refusal() {
         if (findings_.error_count() == 0) return "a model is refused and no error says why";
         return check_findings(sources_, findings_);
@@ -94,7 +94,7 @@ private:
         return text;
     }
 
-    /// Every answer is acceptable, including an evaluation error of the script.
+    /// Decides the obligations. Every answer is acceptable, including an evaluation error of the script.
     static std::string decide(const csp_emit::Emission& emission) {
         constexpr std::size_t most = 12;
         std::size_t decided = 0;

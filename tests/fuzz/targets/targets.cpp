@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See targets.hpp. One row per fuzzer.
+// Lists the targets, one row per fuzzer.
 #include "tests/fuzz/targets/targets.hpp"
 
 #include <array>

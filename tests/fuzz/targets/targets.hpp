@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The targets of the fuzzers: they accept any bytes, and must not crash, hang or violate a property that the headers
-// state. The same functions run as ordinary tests on the stored inputs of tests/fuzz/regressions.
+// Declares the targets of the fuzzers. They accept any bytes, and must not crash, hang or violate a property that the
+// headers state. The same functions run as ordinary tests on the stored inputs of tests/fuzz/regressions.
 #pragma once
 
 #include <span>
@@ -12,25 +12,25 @@ namespace robochart::fuzz {
 /// A part of the program that accepts any input.
 struct Target {
     std::string_view name;  ///< also the folder of its regressions
-    /// Runs the part. Returns the violated property in words, "" if there is none.
+    /// Runs the part. Returns the violated property in words, or "" if there is none.
     std::string (*run)(std::string_view bytes);
 };
 
-/// Model text: parsed, resolved, checked, printed, dumped; all findings are printed.
+/// Parses, resolves, checks, prints and dumps model text, and prints all findings.
 [[nodiscard]] std::string run_model(std::string_view bytes);
-/// Assertion text next to a fixed model.
+/// Does the same for assertion text next to a fixed model.
 [[nodiscard]] std::string run_assertions(std::string_view bytes);
-/// A CSPM script: parsed, printed, parsed again.
+/// Parses a CSPM script, prints it and parses it again.
 [[nodiscard]] std::string run_script(std::string_view bytes);
-/// Model text through all components after the front end, with small limits. Files are separated by form feeds;
-/// assertion files start with `!`.
+/// Runs model text through all components after the front end, with small limits. Files are separated by form feeds.
+/// Assertion files start with `!`.
 [[nodiscard]] std::string run_semantics(std::string_view bytes);
-/// A session with the language server: the first line contains requests and changes, the rest is the document.
+/// Runs a session with the language server. The first line contains requests and changes, and the rest is the document.
 [[nodiscard]] std::string run_editor(std::string_view bytes);
-/// The language server's input stream.
+/// Gives the bytes to the language server as its input stream.
 [[nodiscard]] std::string run_stream(std::string_view bytes);
 
-/// An MCAP file with a log.
+/// Reads the bytes as an MCAP file with a log.
 [[nodiscard]] std::string run_mcap(std::string_view bytes);
 
 [[nodiscard]] std::span<const Target> targets();

@@ -21,7 +21,7 @@ namespace {
 using prism::Rational;
 using testing::robotool_rows;
 
-/// The minimum and the maximum of rows with one value each; nullopt if a value is unknown.
+/// Returns the minimum and the maximum of rows with one value each, or nullopt if a value is unknown.
 std::optional<std::pair<Rational, Rational>> bounds(const std::vector<Row>& rows) {
     if (rows.size() != 1 || !rows.front().error.empty()) return std::nullopt;
     for (const prism::Result& result : rows.front().results)
@@ -29,7 +29,7 @@ std::optional<std::pair<Rational, Rational>> bounds(const std::vector<Row>& rows
     return std::pair(rows.front().results.front().low.value(), rows.front().results.back().low.value());
 }
 
-/// Small timed models with probabilities.
+/// Returns a shape of small timed models with probabilities.
 random_models::Shape small_models() {
     random_models::Shape shape = random_models::Shape::timed_core();
     shape.probabilistic = true;
@@ -48,8 +48,8 @@ std::map<std::string, std::string> texts(std::uint64_t seed, const random_models
     return files;
 }
 
-/// An event on which a machine of the first module communicates, in the notation of rewards: "M::c::s::e.in"; "": there
-/// is none.
+/// Returns an event on which a machine of the first module communicates, in the notation of rewards ("M::c::s::e.in"),
+/// or "" if there is none.
 std::string some_event(const ir::System& system) {
     if (system.modules.empty()) return "";
     ir::ComponentRef module;
@@ -64,7 +64,7 @@ std::string some_event(const ir::System& system) {
 }
 
 /// Each process is compared with the one that is checked for refinement, also with an observer of one of its events.
-/// Some models have no answer: probabilities given by random expressions need not sum to 1, and some models are too
+/// Some models have no answer: probabilities that random expressions give need not sum to 1, and some models are too
 /// large. tests/long.sh probability tries many more.
 TEST(Agreement, OfRandomModels) {
     std::size_t answered = 0;
@@ -105,8 +105,9 @@ TEST(Agreement, OfRandomModels) {
     EXPECT_GT(rewarded, 0u);
 }
 
-/// The bracket theorem: a Markov chain resolves every choice of the decision process with the same text by one
-/// scheduler, so its values are within the bounds. Many models have no counterpart in RoboTool's encoding.
+/// The bracket theorem: the Markov chain and the decision process have the same text. The chain resolves every choice
+/// of the process by one scheduler, so its values are within the bounds. Many models have no counterpart in RoboTool's
+/// encoding.
 TEST(Agreement, TheChainLiesBetweenTheSchedulers) {
     random_models::Shape shape = random_models::Shape::untimed_core();
     shape.probabilistic = true;
@@ -156,7 +157,7 @@ DecisionProcess fork(bool whole) {
     model.numbers = {{1, 1}, {0.5, 0.5}};
     model.exact = {Rational(1), Rational(1, 2)};
     model.actions = {"", "tock", "loop"};
-    // State 0 leads to 1 or 2 with probability one half each; in the whole process it also has a tock back to 0. States
+    // State 0 leads to 1 or 2 with probability one half each. In the whole process it also has a tock back to 0. States
     // 1 and 2 are absorbing.
     model.target = {1, 2};
     model.number = {1, 1};
@@ -207,7 +208,7 @@ TEST(Agreement, OfSubgraphs) {
     EXPECT_FALSE(part(other));
 }
 
-/// The decision process of the first component of each model. Urgent steps must be among all steps; otherwise
+/// The test uses the decision process of the first component of each model. Urgent steps must be among all steps, or
 /// ProcessEncoding throws std::logic_error.
 TEST(Agreement, OfTheCorpus) {
     std::size_t compared_models = 0;
@@ -238,11 +239,12 @@ TEST(Agreement, OfTheForager) {
                         "prob property Q : Prob=? of [Finally <=30 foraging::Robot::brain::forager is in "
                         "foraging::Forager::Homing]"}});
     std::uint64_t compared = 0;
-    // The robot rests for 5 units and then leaves with probability 0.25, so it can leave twice within 10 units.
+    // The robot rests for 5 units and then leaves with probability 0.25, so it has two chances to leave within 10
+    // units.
     EXPECT_EQ(testing::rows_text(testing::process_rows(*loaded, "P", Scheduler::any, &compared)), "0.4375 to 0.4375");
     EXPECT_GT(compared, 30u);
-    // Without food the robot searches for 20 units and has to leave after two rests. If it finds food immediately, six
-    // units are enough.
+    // Without food the robot searches for 20 units, so it has to leave within two rests. If it finds food immediately,
+    // six units are enough.
     EXPECT_EQ(testing::rows_text(testing::process_rows(*loaded, "Q", Scheduler::any)), "0.4375 to 3367/4096");
     EXPECT_EQ(testing::rows_text(testing::process_rows(*loaded, "Q", Scheduler::urgent)), "0.4375 to 3367/4096");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The possible successors of a machine's states after some time, computed by hand.
+// Tests the possible successors of a machine's states after some time. The expected results are computed by hand.
 #include "prism/assertions/process/following.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ constexpr std::uint32_t a = 1;
 constexpr std::uint32_t b = 2;
 constexpr std::uint32_t c = 4;
 
-/// The first two time units pass in A, the third in B, or in C after an immediate request.
+/// The first two time units pass in A. The third passes in B, or in C after an immediate request.
 TEST(Following, OneTimeUnit) {
     const Following one = found(machine, {"A", "B", "C"}, 1);
     EXPECT_EQ(one.classes, (std::vector<std::uint32_t>{none, a, b, c}));
@@ -53,7 +53,7 @@ TEST(Following, OneTimeUnit) {
         EXPECT_FALSE(may(one, from, to)) << from << " " << to;
 }
 
-/// Three time units later the machine is not in A; two time units after the start it still is.
+/// Three time units later, the machine is not in A. Two time units after the start, it still is.
 TEST(Following, SeveralTimeUnits) {
     const Following two = found(machine, {"A", "B", "C"}, 2);
     EXPECT_TRUE(may(two, none, a));
@@ -65,7 +65,7 @@ TEST(Following, SeveralTimeUnits) {
     EXPECT_TRUE(may(three, none, c));
     EXPECT_FALSE(may(three, a, a));
     EXPECT_TRUE(may(three, a, c));
-    // The result after a thousand units equals that after three.
+    // The result after a thousand time units equals the result after three.
     EXPECT_FALSE(may(found(machine, {"A", "B", "C"}, 1000), b, a));
     EXPECT_TRUE(may(found(machine, {"A", "B", "C"}, 1000), b, b));
 }
@@ -101,7 +101,7 @@ std::string why_not(const std::string& model, const std::vector<std::string>& st
     return "";
 }
 
-/// Code may continue where the process has terminated.
+/// The code may continue after the process has terminated.
 TEST(Following, NothingOfWhatMayTerminate) {
     const std::string ends =
         "stm S { event go initial i state A { } final f transition t0 { from i to A } "
@@ -109,7 +109,7 @@ TEST(Following, NothingOfWhatMayTerminate) {
     EXPECT_NE(why_not(ends, {"A"}), "");
 }
 
-/// There is no answer if time can stop: an action of two time units has a deadline of one.
+/// There is no answer if time can stop. Here, an action of two time units has a deadline of one.
 TEST(Following, NothingWhereTimeStops) {
     const auto model = [](const std::string& entry) {
         return "stm S { event go initial i state A { } state B { entry " + entry + " } " +
@@ -119,8 +119,8 @@ TEST(Following, NothingWhereTimeStops) {
     EXPECT_NE(why_not(model("wait(2) <{ 1 }"), {"A"}), "");
 }
 
-/// While time passes in the action or exit action of a transition, the code shows the source state, which the process
-/// has left.
+/// While time passes in the action or exit action of a transition, the code shows the source state, although the
+/// process has already left it.
 TEST(Following, NothingWhereTimePassesInATransition) {
     const auto model = [](const std::string& exit, const std::string& action) {
         return "stm S { event go initial i state A { " + exit + " } state B { } transition t0 { from i to A } " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models with probabilistic assertions for tests.
+// Loads models with probabilistic assertions, and decides these assertions.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace robochart::probability::testing {
 
-/// A project, given by paths and texts of its files, resolved and lowered.
+/// A project that is given by paths and texts of its files. It is resolved and lowered.
 struct Loaded {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -26,21 +26,21 @@ struct Loaded {
 
 [[nodiscard]] std::unique_ptr<Loaded> load(const std::map<std::string, std::string>& files);
 
-/// The only module, or the first controller or machine if there is none.
+/// Returns the only module, or the first controller or machine if there is none.
 [[nodiscard]] ir::ComponentRef whole_component(const ir::System&);
 
-/// An assertion with this name, and its file.
+/// An assertion and its file. The assertion is found by its name.
 struct Claim {
     const frontend::File* file = nullptr;
     const frontend::ProbabilisticAssertion* assertion = nullptr;
 };
 [[nodiscard]] Claim find_claim(const Loaded&, const std::string& name);
 
-/// Options with the ranges 0..2 for nat, int and real, for a dtmc.
+/// Returns options with the ranges 0..2 for nat, int and real, for a dtmc.
 [[nodiscard]] RoboToolOptions small_ranges();
 
-/// The rows of an assertion in RoboTool's encoding of the only module. If a row is undecided, its error states the
-/// reason.
+/// Returns the rows of an assertion in RoboTool's encoding of the only module. If a row is undecided, its error states
+/// the reason.
 [[nodiscard]] std::vector<Row> robotool_rows(const Loaded&, const std::string& assertion,
                                              const RoboToolOptions& options = small_ranges(), const Deciding& how = {});
 
@@ -50,9 +50,9 @@ struct Claim {
                                             std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000,
                                             bool exact = true);
 
-/// "k=1: 0.5": the constants with the value, the truth value or the error.
+/// Returns "k=1: 0.5": the constants, followed by the value, the truth value or the error.
 [[nodiscard]] std::string rows_text(const Row& row);
-/// One line for each row.
+/// Returns one line for each row.
 [[nodiscard]] std::string rows_text(const std::vector<Row>& rows);
 
 }  // namespace robochart::probability::testing

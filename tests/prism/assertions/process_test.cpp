@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilistic assertions decided on the timed CSP semantics. The models are small enough to compute their values by
-// hand; comments show how.
+// Tests probabilistic assertions that are decided on the timed CSP semantics. The models are so small that their values
+// can be computed by hand. Comments show how.
 #include <gtest/gtest.h>
 
 #include "tests/prism/assertions/models.hpp"
@@ -26,7 +26,8 @@ std::string property(const std::string& of) {
     return "prob property P : " + of;
 }
 
-/// A machine that leaves Ready for a junction; `leaving` is its trigger, `ways` the transitions from the junction p.
+/// Returns a machine that leaves Ready for a junction. `leaving` is the trigger of this transition, and `ways` are the
+/// transitions from the junction p.
 std::string thrower(const std::string& leaving, const std::string& ways, const std::string& declarations = "",
                     const std::string& states = "") {
     return "stm S { event go " + declarations + " initial i state Ready { } state A { } state B { } " + states +
@@ -50,7 +51,7 @@ TEST(Process, ACoinThatIsThrownAtOnce) {
 }
 
 /// The platform may never press the button, which gives the minimum. If all steps are equally likely, the platform
-/// presses eventually.
+/// eventually presses it.
 TEST(Process, AnInputNeedNotCome) {
     const std::string coin = thrower("trigger go", coin_ways);
     const std::string reaches_a = property("Prob=? of [Finally S is in S::A]");
@@ -59,8 +60,8 @@ TEST(Process, AnInputNeedNotCome) {
     EXPECT_EQ(decided(coin, reaches_a, Scheduler::uniform), "0.25");
 }
 
-/// The junction leads to A with probability p, to B with probability q, and otherwise back. So A is reached with
-/// probability p / (p + q).
+/// The junction leads to A with probability p, to B with probability q, and otherwise back to Ready. So A is reached
+/// with probability p / (p + q).
 TEST(Process, ALoopThatTriesAgain) {
     const std::string loop = thrower("",
                                      "transition a { from p to A probability 0.2 } "
@@ -128,8 +129,8 @@ TEST(Process, LongTimesNeedNotBeCounted) {
         << "it is above 0.5 by less than an interval shows";
 }
 
-/// Two machines throw a coin at the same time. The probability that the first is done and the second is not depends on
-/// the order: 0.5 if the first throws first, otherwise 0.5 * 0.5.
+/// Two machines throw a coin at the same time. The property is the probability that the first is done and the second is
+/// not. It depends on the order: 0.5 if the first throws first, otherwise 0.5 * 0.5.
 TEST(Process, ARaceIsOpen) {
     const std::string race =
         "stm S { initial i state Ready { entry wait(1) } state A { } state B { } probabilistic p "
@@ -171,9 +172,9 @@ TEST(Process, ProbabilitiesInOperationsReadVariables) {
         "transition t2 { from Again to Heads condition k == 1 } transition t3 { from Again to Tails condition k == 0 } "
         "} "
         "controller C { opref toss = toss sref s = S }";
-    // The first throw has m = 1 = k: it leads to A with probability 0.5, and k stays 1; B sets k = 0. Then m = 0. After
-    // A, m differs from k, so the second throw leads to A with probability 0.2. After B, m equals k, so it leads to A
-    // with probability 0.4, but k stays 0.
+    // In the first throw, m = 1 = k, so it leads to A with probability 0.5. A leaves k = 1, and B sets k = 0. Then m =
+    // 0. After A, m differs from k, so the second throw leads to A with probability 0.2. After B, m equals k, so it
+    // leads to A with probability 0.4, but k stays 0.
     EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Heads]")), "0.1 to 0.1");
     EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Tails]")), "0.9 to 0.9");
 }
@@ -243,7 +244,7 @@ TEST(Process, OfAModule) {
 }
 
 /// The first throw is immediate, and one throw follows in each time unit. Each throw is announced. The machine needs 1
-/// / 0.5 throws until A on average, and the event contains the result of the last throw.
+/// / 0.5 throws on average until A, and the event contains the result of the last throw.
 const char* const announced = R"(
 	stm S {
 		event said : nat
@@ -286,9 +287,9 @@ TEST(Process, ValuesOfEventsAreAskedFor) {
         << "0 only before the first";
 }
 
-/// Two machines, one of which throws when the platform requests it. Rewards distinguish events of the platform from
-/// events of a machine, although the process has one event for both. An internal event occurs at both of its ends at
-/// the same time.
+/// One of two machines throws when the platform requests it. Rewards distinguish events of the platform from events of
+/// a machine, although the process has one event for both. An internal event occurs at both of its ends at the same
+/// time.
 const char* const pair_text = R"(
 	robotic platform Table { event go }
 	stm Thrower {

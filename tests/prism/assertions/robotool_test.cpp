@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilistic assertions decided in RoboTool's encoding. The expected values come from the chains, which are small
-// enough to compute by hand; those of the case studies come from recorded results.
+// Tests probabilistic assertions that are decided in RoboTool's encoding. The chains are so small that the expected
+// values can be computed by hand. Those of the case studies come from recorded results.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -120,7 +120,8 @@ TEST(RoboToolChain, KnowsFormulasFunctionsAndModules) {
             "Game::hand::thrower is in Heads /\\ &quad(1) == 4]" +
             half + " with definitions D")),
         "Game::hand::thrower::p=0.5: 0.5");
-    // The observer counts to 2 throws and refuses a third, so the coin shows heads at the first or second throw.
+    // The observer counts to 2 throws and refuses a third one, so the coin must show heads at the first or second
+    // throw.
     EXPECT_EQ(
         rows_text(rows_of("pmodules M: pmodule Count { n : [0 to 2] init 0; "
                           "[Game::table::throw.out] @n < 2 -> (@n = @n + 1); [] @n == 2 -> skip; }\n"
@@ -147,7 +148,8 @@ TEST(RoboToolChain, InnerStatesAreAskedFor) {
               "Game::hand::thrower::p=0.5: 1");
 }
 
-/// 1000 throws of a fair coin; all intervals are computed from the number of hits, which the seed determines.
+/// The test samples 1000 throws of a fair coin. All intervals are computed from the number of hits, which the seed
+/// determines.
 TEST(RoboToolChain, IsSampled) {
     const std::string sampled = "Prob=? of [Finally <=4 Game::hand::thrower is in Heads] using sim with ";
     const auto rows = rows_of("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
@@ -208,7 +210,7 @@ TEST(RoboToolChain, IsSampledWithExpressions) {
     EXPECT_NE(fault("prob generate path P: using simulation for 1/2 steps" + half), "");
 }
 
-/// The steps of the chain are known; the results of the throws depend on the seed.
+/// The steps of the chain are known. The results of the throws depend on the seed.
 TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
     const auto rows = rows_of("prob generate path P: using simulation for 4 steps" + half);
     ASSERT_EQ(rows.front().error, "");
@@ -246,7 +248,7 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
               "0.5");
 }
 
-/// The machine counts to a limit without a value in the model, and to one beyond the limit.
+/// The limit has no value in the model. The machine counts until n is one beyond the limit.
 const char* const counter = R"(package counter
 	robotic platform Nothing { }
 	stm Count {
@@ -279,7 +281,7 @@ TEST(RoboToolChain, RangesHoldTheConstantsThatAClaimSets) {
         << "the user's own range stays";
 }
 
-/// Two machines throw a coin on request; the order of the requests and of the moves is open.
+/// Two machines throw a coin on request. The order of the requests and of the moves is open.
 const char* const race = R"(package race
 	robotic platform Table { event go }
 	stm Thrower {
@@ -397,7 +399,7 @@ RoboToolOptions preferences_of(const fs::path& folder) {
     return options;
 }
 
-/// The recorded value for a set of constants and t.
+/// Returns the recorded value for a set of constants and t.
 double recorded(const fs::path& folder, const std::string& set, const std::string& t) {
     std::istringstream lines(tests::read_contents(folder / "EXPECTED.tsv"));
     for (std::string line; std::getline(lines, line);) {
@@ -413,7 +415,7 @@ TEST(UvcAssertions, GiveTheRecordedValue) {
     const fs::path folder = suite("uvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
     auto files = files_in(folder);
-    // The test uses only one value of t, which takes a few seconds.
+    // The test uses only one value of t, with which it takes a few seconds.
     std::string& config = files.at("Properties/config.assertions");
     const auto begin = config.find("constants C20_noOds_delibrate");
     const auto range = config.find("{1 to 19 by step 1}", begin);
@@ -440,7 +442,7 @@ prism::ModelFile read(const fs::path& path) {
     return model;
 }
 
-/// The lines of a module, without the numbers in names, blanks and parentheses.
+/// Returns the lines of a module, without the numbers in names, blanks and parentheses.
 std::multiset<std::string> lines_of(const prism::ModelFile& model, const std::string& module) {
     prism::ModelFile alone;
     for (const prism::Module& candidate : model.modules)

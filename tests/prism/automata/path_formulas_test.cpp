@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nested path formulas. Random formulas are decided on lassos, and a naive evaluation of the semantics follows their
-// only path state by state; models with choices are solved by hand.
+// Tests nested path formulas. Random formulas are decided on lassos and compared with a naive evaluation of the
+// semantics, which follows the only path of the lasso state by state. The expected values for models with choices are
+// computed by hand.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -25,7 +26,7 @@ private:
     std::uint64_t seed_;
 };
 
-/// A random subset of the states 0..size-1.
+/// Returns a random subset of the states 0..size-1.
 std::string atom(Random& random, int size) {
     std::string text = "(s=" + std::to_string(random.below(size));
     while (random.below(2) == 0) text += "|s=" + std::to_string(random.below(size));
@@ -75,7 +76,7 @@ std::string formula(Random& random, int size, int depth) {
     }
 }
 
-/// A path through the states 0, 1, ..., size-1 that then repeats the states from `loop` on.
+/// A path through the states 0, 1, ..., size-1, which then repeats the states from `loop` on.
 class Lasso {
 public:
     Lasso(int size, int loop) : size_(size), loop_(loop) {}
@@ -180,14 +181,14 @@ const char* const chain =
     "[] s=2 -> true; [] s=3 -> (s'=0);\n"
     "endmodule\n";
 
-/// State 0 goes to 1 with 1/2 (then alternates between 1 and 4 forever), to 2 forever with 1/4, and back through 3 with
-/// 1/4. In the limit, two thirds go to 1 and one third to 2.
+/// State 0 goes to 1 with probability 1/2 (and then alternates between 1 and 4 forever), to 2 forever with 1/4, and
+/// back through 3 with 1/4. In the limit, two thirds of the paths go to 1 and one third to 2.
 TEST(PrismPathFormulas, AreDecidedOnAChain) {
     EXPECT_EQ(answer(chain, "P=? [ F (s=3 & X s=0) ]"), "0.25");
     EXPECT_EQ(answer(chain, "P=? [ F (s=3 & F s=2) ]"), "1/12");  // 1/4 * 1/3
     EXPECT_EQ(answer(chain, "P=? [ (F s=3) & (F s=2) ]"), "1/12");
     EXPECT_EQ(answer(chain, "P=? [ (G s!=3) & F s=2 ]"), "0.25");
-    EXPECT_EQ(answer(chain, "P=? [ (F s=3) | (G F s=2) ]"), "0.5");  // 1/4 + 1/4 without 3
+    EXPECT_EQ(answer(chain, "P=? [ (F s=3) | (G F s=2) ]"), "0.5");  // 1/4, and 1/4 without 3
     EXPECT_EQ(answer(chain, "P=? [ (G F s=1) & (F s=3) ]"), "1/6");
     EXPECT_EQ(answer(chain, "P=? [ G (s=1 => X s=4) ]"), "1");
     EXPECT_EQ(answer(chain, "P=? [ G (s=1 => F s=1) ]"), "1");
@@ -200,7 +201,7 @@ TEST(PrismPathFormulas, AreDecidedOnAChain) {
     EXPECT_EQ(answer(chain, "filter(max, P=? [ F (s=3 & F s=2) ], s=3)"), "1/3");
 }
 
-/// A switch that the scheduler turns.
+/// A switch that the scheduler turns on or off.
 const char* const turned =
     "mdp module M on : bool; n : [0..1];\n"
     "[turn] true -> 0.9:(on'=!on)&(n'=0) + 0.1:(n'=1);\n"
@@ -212,11 +213,11 @@ TEST(PrismPathFormulas, AreDecidedForTheBestAndTheWorstScheduler) {
     EXPECT_EQ(answer(turned, "Pmin=? [ (G F on) | (G F !on) ]"), "1");
     EXPECT_EQ(answer(turned, "Pmin=? [ (G F on) & (G F !on) ]"), "0");
     EXPECT_EQ(answer(turned, "Pmax=? [ (G F on) & (F G !on) ]"), "0");
-    EXPECT_EQ(answer(turned, "Pmax=? [ (G F on) & (F G n=0) ]"), "1");  // stays when it is on
+    EXPECT_EQ(answer(turned, "Pmax=? [ (G F on) & (F G n=0) ]"), "1");  // the switch stays on
     EXPECT_EQ(answer(turned, "Pmax=? [ (G F on) & (G n=0) ]"), "0.9");  // one turn has to succeed
     EXPECT_EQ(answer(turned, "Pmax=? [ F (on & X !on) ]"), "1");
     EXPECT_EQ(answer(turned, "Pmax=? [ (X on) & (X X !on) ]"), "0.81");
-    EXPECT_EQ(answer(turned, "Pmax=? [ G (on => X !on) ]"), "1");  // is never turned on
+    EXPECT_EQ(answer(turned, "Pmax=? [ G (on => X !on) ]"), "1");  // the switch is never turned on
     EXPECT_EQ(answer(turned, "Pmin=? [ G (on => X !on) ]"), "0");
     EXPECT_EQ(answer(turned, "Pmax=? [ (X on) & G (on => X !on) ]"), "0.81");
     EXPECT_EQ(answer(turned, "Pmax=? [ G ((on => F !on) & (!on => F on)) ]"), "1");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static checks that the pages of the rules do not show.
+// Tests static checks that the pages of the rules do not show.
 #include "prism/checks/check.hpp"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ struct Checked {
     std::optional<CheckedModel> model;
 };
 
-/// "a:M+N b:M": the modules that synchronise on each action.
+/// Returns the modules that synchronise on each action: "a:M+N b:M".
 std::string together(const std::string& system) {
     const Checked checked(
         "mdp\n"
@@ -48,7 +48,7 @@ std::string together(const std::string& system) {
     return text;
 }
 
-/// The findings of a model with actions `go` and `stop`, and additional text.
+/// Returns the findings of a model with actions `go` and `stop`, and additional text.
 std::string actions(const std::string& more) {
     const Checked checked(
         "dtmc module M x:[0..1]; [go] x=0 -> (x'=1); [stop] x=1 -> true; [] true -> true; endmodule\n" + more);
@@ -76,9 +76,9 @@ TEST(PrismComposition, WithoutOneAllActTogetherOnCommonActions) {
 TEST(PrismComposition, OperatorsOfTheGrammar) {
     EXPECT_EQ(together("system M ||| N ||| O endsystem"), ":M a:M a:N b:M c:N c:O");
     EXPECT_EQ(together("system (M |[a]| N) ||| O endsystem"), ":M a:MN b:M c:N c:O");
-    // Both sides must take part in b, and N never offers it.
+    // Both operands must take part in b, and N never offers it.
     EXPECT_EQ(together("system (M |[a,b]| N) || O endsystem"), ":M a:MN c:NO");
-    // If it is hidden, the a of M occurs alone and is invisible.
+    // If a is hidden, the a of M occurs alone and is invisible.
     EXPECT_EQ(together("system (M / {a}) || N || O endsystem"), ":M :M.a a:N b:M c:NO");
     EXPECT_EQ(together("system M {b<-c} || N || O endsystem"), ":M a:MN c:M.bNO");
 }

@@ -72,7 +72,7 @@ std::unique_ptr<Encoded> encode_model(const std::map<std::string, std::string>& 
 
 namespace {
 
-/// Explores the generated text after parsing it, because users get the text.
+/// Explores the generated text after parsing it, because the users' tools read the text.
 class Explored {
 public:
     Explored(const Encoded& encoded, const std::map<std::string, std::string>& constants) {

@@ -19,17 +19,17 @@ struct Encoded {
     diagnostics::Diagnostics diagnostics;
     std::optional<Emission> emission;
 
-    /// "RC-E02 RC-E05": the distinct codes of the errors.
+    /// Returns the distinct codes of the errors: "RC-E02 RC-E05".
     [[nodiscard]] std::string codes() const;
     [[nodiscard]] std::string report() const;
-    /// The lines of its declarations and commands, with every `prefix` removed.
+    /// Returns the lines of the model's declarations and commands, with every `prefix` removed.
     [[nodiscard]] std::set<std::string> lines(const std::string& prefix) const;
 };
 
-/// Ranges as in RoboTool's preferences: nat 0..2, int 0..2, real 0..2.
+/// Returns ranges as in RoboTool's preferences: nat 0..2, int 0..2, real 0..2.
 [[nodiscard]] Preferences small_ranges();
 
-/// The only module of a text, or of the files of a folder by name.
+/// Encodes the only module of a text, or of the files of a folder by name.
 [[nodiscard]] std::unique_ptr<Encoded> encode_model(const std::string& text,
                                                     const Preferences& ranges = small_ranges());
 [[nodiscard]] std::unique_ptr<Encoded> encode_model(const std::map<std::string, std::string>& files,
@@ -41,7 +41,7 @@ struct Size {
     friend bool operator==(const Size&, const Size&) = default;
 };
 [[nodiscard]] Size size_of(const Encoded&, const std::map<std::string, std::string>& constants = {});
-/// The value of a property.
+/// Returns the value of a property.
 [[nodiscard]] double value_of(const Encoded&, const std::map<std::string, std::string>& constants,
                               const std::string& property);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests guards that keep updates within their ranges in unreachable states. Commands that cannot leave a range stay
+// Tests guards that keep updates within their ranges in unreachable states. A command that cannot leave a range stays
 // unchanged.
 #include "prism/emit/ranges.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constructs without an encoding are rejected with a named rule. For each rule of prism/emit/rules.hpp there is one
-// model that violates only this rule.
+// Tests that constructs without an encoding are rejected with a named rule. For each rule of prism/emit/rules.hpp there
+// is one model that violates only this rule.
 #include <gtest/gtest.h>
 
 #include "tests/prism/emit/models.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using testing::encode_model;
 
-/// The codes of the errors in a model with one machine.
+/// Returns the codes of the errors in a model with one machine.
 std::string refusal_codes(const std::string& machine, const std::string& top = "", const std::string& outside = "",
                           const std::string& inside = "", const std::string& connections = "") {
     const auto model = encode_model(top + "\nrobotic platform R { " + outside + " }\nstm S { initial i\n" + machine +

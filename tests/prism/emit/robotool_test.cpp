@@ -85,7 +85,7 @@ TEST(RoboTool, AnyOtherCommandIsADifference) {
     EXPECT_FALSE(testing::find_differences(model, other).empty()) << "no label";
 }
 
-/// The functions as RoboTool's assertions of this case study define them (`defs D1`).
+/// Defines the functions as RoboTool's assertions of this case study do (`defs D1`).
 void define_functions(std::map<std::string, std::string>& files) {
     std::string& text = files.at("Declarations.rct");
     const auto replace = [&](const std::string& name, const std::string& definition) {
@@ -111,7 +111,7 @@ TEST(RoboTool, HvcIsItsModelUpToNamesAndOrder) {
     EXPECT_TRUE(found.empty()) << first_ones(found);
 }
 
-/// Rows of EXPECTED.tsv: the first row of each constant set that is small enough for a test.
+/// A row of EXPECTED.tsv. The test uses the first row of each set of constants that is small enough for a test.
 struct Row {
     std::map<std::string, std::string> constants;
     Size size;
@@ -149,7 +149,7 @@ TEST(RoboTool, UvcHasAsManyStatesAndTransitions) {
     }
 }
 
-/// EXPECTED.tsv, set C20_noOds_delibrate, t=5: `reference`.
+/// The expected value is in EXPECTED.tsv, set C20_noOds_delibrate, t=5, column `reference`.
 TEST(RoboTool, UvcHasTheSameProbability) {
     const fs::path folder = suite_file("uvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";

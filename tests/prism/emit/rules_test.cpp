@@ -15,8 +15,8 @@ using ::testing::IsSupersetOf;
 using testing::Size;
 using Lines = std::vector<std::string>;
 
-/// One machine S, as `s` of controller `c` of module M. `top`: declarations next to it; `outside`: declarations of the
-/// platform R; `inside`: of the controller; `connections`: of the module.
+/// One machine S, as `s` of controller `c` of module M. `top` contains declarations next to it, `outside` those of the
+/// platform R, `inside` those of the controller, and `connections` those of the module.
 struct Parts {
     std::string machine, top, outside, inside, connections;
 };
@@ -98,7 +98,8 @@ TEST(Rules, R4R5R6StatesAreTakenAndLeft) {
                          "[] scpc_8 = A & lock_7 = LOCK_FREE & x = 0 -> (scpc_8' = B_entering) & (lock_7' = t1);",
                          "[] scpc_8 = B_entering -> (x' = 1) & (scpc_8' = B) & (lock_7' = LOCK_FREE);",
                          "[] scpc_8 = B & lock_7 = LOCK_FREE -> (scpc_8' = A) & (lock_7' = LOCK_FREE);"});
-    // i, A, entering B, B, A again with x=1: no further step is possible, which PRISM writes as a loop.
+    // The states are i, A, entering B, B, and A again with x=1. There, no further step is possible, which PRISM writes
+    // as a loop.
     expect_size(parts, {5, 5});
 }
 
@@ -111,7 +112,7 @@ TEST(Rules, R7ATriggerWithAnActionIsSplit) {
                  {"[RP__e_16] scpc_8 = A & lock_7 = LOCK_FREE & x < 2 -> (scpc_8' = sp_pj_1) & (lock_7' = sp1_2);",
                   "[] scpc_8 = sp_pj_1 -> (scpc_8' = Action_17);",
                   "[] scpc_8 = Action_17 -> (x' = x + 1) & (scpc_8' = A) & (lock_7' = LOCK_FREE);"});
-    // i; three points each for x=0 and x=1; A with x=2, where the event is impossible.
+    // The states are i, three points each for x=0 and x=1, and A with x=2, where the event is impossible.
     expect_size(parts, {8, 8});
 }
 
@@ -125,7 +126,7 @@ TEST(Rules, R7ATriggerBeforeAJunctionGoesThroughIt) {
     expect_lines(parts,
                  {"[RP__e_16] scpc_8 = A & lock_7 = LOCK_FREE & x = 1 -> (scpc_8' = A) & (lock_7' = LOCK_FREE);",
                   "[RP__e_16] scpc_8 = A & lock_7 = LOCK_FREE & x = 0 -> (scpc_8' = B) & (lock_7' = LOCK_FREE);"});
-    expect_size(parts, {3, 3});  // i, A, B
+    expect_size(parts, {3, 3});  // states i, A, B
 }
 
 TEST(Rules, R8JunctionsAreStepsOfTheirOwn) {
@@ -139,8 +140,8 @@ TEST(Rules, R8JunctionsAreStepsOfTheirOwn) {
                          "[] scpc_8 = p -> 0.25 : (scpc_8' = A_entering) + 0.75 : (scpc_8' = B_entering);",
                          "[] scpc_8 = j & x = 2 -> (scpc_8' = A_entering);",
                          "[] scpc_8 = j & x = 1 -> (scpc_8' = B_entering);"});
-    // i; A entering with x=0, without the lock; A; p (1); A entering and B entering with x=1 and t1; B; j with x=2; A
-    // entering with x=2 and t2. Two transitions from p, one from each other.
+    // The states are: i; A entering with x=0, without the lock; A; p (1); A entering and B entering with x=1 and t1; B;
+    // j with x=2; A entering with x=2 and t2. There are two transitions from p, and one from each other state.
     expect_size(parts, {9, 10});
 }
 
@@ -183,9 +184,10 @@ TEST(Rules, R10ACompositeStateIsLeftFromInside) {
          "Exit_NONE) & (P_exit_9' = Exit_Sub_EXITED);",  // 6
          "[] scpc_8 = P & lock_7 = t1 & P_exit_9 = Exit_EXITED -> (P_exit_9' = Exit_NONE) & (scpc_8' = B) & (lock_7' = "
          "LOCK_FREE);"});  // 7
-    // Into A: i, P at i, Q at i, A. From A by t1 of Q's parent: locked, (2), 4/2, 5, 7: Q at i with another lock: 5
-    // more states and then A again. By t1 of P: locked, (2), 3, (2), 4/2, 5, 6, 5, 7: 8 states, then B. A and B loop. A
-    // has three choices.
+    // The numbers are the kinds of steps of an exit (R10). To reach A, there are four states: i, P at i, Q at i, A.
+    // From A by t1 of Q's parent, there are 5 more states and then A again: locked, (2), 4/2, 5, 7: Q at i with another
+    // lock. By t1 of P, there are 8 states and then B: locked, (2), 3, (2), 4/2, 5, 6, 5, 7. A and B loop. A has three
+    // choices.
     expect_size(nested, {4 + 5 + 8 + 1, 3 + 3 + 5 + 8 + 1});
 }
 
@@ -198,7 +200,7 @@ TEST(Rules, R11ASubstateThatIsNotLeftLoops) {
                   "LOCK_FREE);"});
 }
 
-/// s sends e to t indefinitely; `type` is e's type.
+/// Returns two machines: s sends e to t indefinitely. `type` is the type of e.
 std::string two_machines(const std::string& connection, const std::string& type) {
     const std::string value = type.empty() ? "" : " ! 1";
     const std::string taken = type.empty() ? "" : " ? x";
@@ -230,8 +232,8 @@ TEST(Rules, R12ABufferLosesWhatIsOverwritten) {
                                    "[IN_BUF__e_17] BUF_e_17_f = true -> (BUF_e_17_f' = false);",
                                    "[OUT_BUF__e_17] s_scpc_8 = Action_16 -> (s_scpc_8' = s_A) & (s_lock_7' = "
                                    "s_LOCK_FREE);"}));
-    // s: i, A, sending; t: i, A; the buffer is empty until s has sent once.
-    // Empty: (i,A,sending) x (i,A) = 6; full: (A,sending) x (i,A) = 4.
+    // s has the states i, A and sending, and t has i and A. The buffer is empty until s has sent once. With an empty
+    // buffer there are (i,A,sending) x (i,A) = 6 states, with a full one (A,sending) x (i,A) = 4.
     EXPECT_EQ(testing::size_of(*model).states, 10U);
 }
 
@@ -265,7 +267,7 @@ TEST(Rules, ASynchronousConnectionThatOneMachineUsesBlocksIt) {
         "module M { rref r = R cref c = C }\n");
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_TRUE(model->lines("M_c_").contains("[SYNC__e_17] false -> true;"));
-    // s: i, A, waiting to send; t: i, A. Both stop while they wait.
+    // s has the states i, A and waiting to send, and t has i and A. Both stop while they wait.
     EXPECT_EQ(testing::size_of(*model).states, 6U);
 }
 
@@ -324,8 +326,8 @@ TEST(Rules, R14AnOperationIsCalledAndWaitedFor) {
             "[] add_scpc_8 = Action_16 -> (add_y' = add_n) & (add_scpc_8' = add_f) & (add_lock_7' = add_LOCK_FREE);",
             "const int add_TERMINATED_11 = add_f;", "add_n : [0..2];", "add_y : [0..2];",
             "add_scpc_8 : [0..4] init add_INACTIVE_10;"}));
-    // The states: i; entering A with the operation inactive, at i, at B, in the action, at f; and A. No further step is
-    // possible in A, so it gets a loop.
+    // The states are: i; entering A with the operation inactive, at i, at B, in the action, at f; and A. No further
+    // step is possible in A, so it gets a loop.
     expect_size(parts, {7, 7});
 }
 

@@ -16,7 +16,7 @@ using prism::ExprPtr;
 using prism::Op;
 using Writer = std::function<std::string(const std::string&)>;
 
-/// "odsTick_18" and "BUF_odsTick_18_f" without their numbers.
+/// Returns a name such as "odsTick_18" or "BUF_odsTick_18_f" without its numbers.
 std::string name_stem(const std::string& name) {
     static const std::regex numbers("_[0-9]+(?=_|$)");
     return std::regex_replace(name, numbers, "");
@@ -44,7 +44,7 @@ std::string expression_text(const ExprPtr& expr, const Writer& write) {
     return result + ")";
 }
 
-/// The operands of a conjunction or disjunction at any depth; `true` in a conjunction is omitted.
+/// Adds the operands of a conjunction or disjunction at any depth. `true` in a conjunction is omitted.
 void operands_of(const ExprPtr& expr, Op op, const Writer& write, std::vector<std::string>& result) {
     if (expr->op == op) {
         for (const ExprPtr& part : expr->parts) operands_of(part, op, write, result);
@@ -53,7 +53,7 @@ void operands_of(const ExprPtr& expr, Op op, const Writer& write, std::vector<st
     }
 }
 
-/// A declaration or a command: its text as a function of a renaming, and the names in it.
+/// A declaration or a command, with its text as a function of a renaming, and the names in it.
 struct Item {
     std::function<std::string(const Writer&)> text;
     std::set<std::string> names;

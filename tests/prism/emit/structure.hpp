@@ -10,9 +10,9 @@
 
 namespace robochart::prism_emit::testing {
 
-/// The items that only one of the models has, in readable form: "- " for the first, "+ " for the second. Initially two
-/// names have the same colour if they differ only in numbers at the ends of words: `Action_20` and `Action_7`. The
-/// values of program points, and upper bounds of their variables, are ignored.
+/// Returns the items that only one of the models has, in readable form, with "- " for the first and "+ " for the
+/// second. Initially two names have the same colour if they differ only in numbers at the ends of words: `Action_20`
+/// and `Action_7`. The values of program points, and upper bounds of their variables, are ignored.
 [[nodiscard]] std::vector<std::string> find_differences(const prism::ModelFile& first, const prism::ModelFile& second);
 
 }  // namespace robochart::prism_emit::testing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exploration: the semantics of commands, with results computed by hand.
+// Tests exploration, which implements the semantics of commands. The expected results are computed by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ std::string transitions(const Explored& model) {
 }
 
 TEST(PrismExplore, ADtmcTakesAllCombinationsWithEqualChance) {
-    // The combinations are a with the first command of R, a with the second one, and the unlabelled command. Each has
-    // probability one third.
+    // The combinations are a with the first command of R, a with the second command, and the unlabelled command. Each
+    // has probability one third.
     const Explored model(
         "dtmc module L x:[0..1]; [a] x=0 -> (x'=1); endmodule\n"
         "module R y:[0..3]; [a] y=0 -> (y'=1); [a] y=0 -> (y'=2); [] y=0 -> (y'=3); endmodule");
@@ -126,7 +126,7 @@ TEST(PrismExplore, ADeadlockGetsALoopWithoutReward) {
 }
 
 TEST(PrismExplore, TheMeanOfTransitionRewardsCountsCombinations) {
-    // There are two combinations for a and one for b: 2/3 * 3 + 1/3 * 9.
+    // There are two combinations for a and one for b, so the reward is 2/3 * 3 + 1/3 * 9.
     Explored model(
         "dtmc module M x:[0..1]; [a] x=0 -> (x'=1); [a] x=0 -> (x'=1); [b] x=0 -> (x'=1); [] x=1 -> true; endmodule "
         "rewards [a] true : 1; [a] x=0 : 2; [b] true : 9; endrewards");
@@ -155,7 +155,7 @@ TEST(PrismExperiment, ReadsValuesAndRanges) {
         {Type::integer, {"N", {}}, nullptr}, {Type::real, {"p", {}}, nullptr}, {Type::boolean, {"b", {}}, nullptr}};
     const auto series = read_series("N=4:6,p=0:0.1:0.3,b=true", open);
     EXPECT_EQ(series[0].values.size(), 3U);
-    ASSERT_EQ(series[1].values.size(), 4U);  // 0.3 is reached: steps are exact
+    ASSERT_EQ(series[1].values.size(), 4U);  // 0.3 is reached, because steps are exact
     EXPECT_EQ(series[1].values[3].text(), "0.3");
     EXPECT_EQ(combinations(series).size(), 12U);
     EXPECT_EQ(read_series("p=1/3", open)[0].values[0].text(), "1/3");

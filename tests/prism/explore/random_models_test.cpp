@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random models are explored by the program and by a naive implementation of the semantics that shares only the parser
-// with it. States, choices, targets and probabilities must be the same.
+// Explores random models with the program and with a naive implementation of the semantics, which shares only the
+// parser with it. States, choices, targets and probabilities must be the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 using testing::Explored;
 using State = std::map<std::string, int>;
 using Distribution = std::map<State, Rational>;
-/// The choices of an mdp's state; for a dtmc the only choice, without an action.
+/// The choices of an mdp's state. A dtmc has only one choice, without an action.
 using Choices = std::multiset<std::pair<std::string, Distribution>>;
 
 class Random {
@@ -52,7 +52,7 @@ std::string guard(Random& random, int modules, int depth) {
     return (random.below(5) == 0 ? "!(" : "(") + left + relation + operand(random, modules) + ")";
 }
 
-/// A random expression that stays in its range in every state.
+/// Returns a random expression that stays in its range in every state.
 std::string value(Random& random, int modules) {
     const std::string a = operand(random, modules);
     const std::string b = operand(random, modules);
@@ -167,7 +167,7 @@ Rational evaluate(const ExprPtr& expr, const State& state) {
     const Rational a = part(0);
     if (expr->text == "min") return std::min(a, part(1));
     const Rational divisor = expr->text == "mod" ? part(1) : Rational(1);
-    int whole = 0;  // of a / divisor, which is small
+    int whole = 0;  // numerator of a / divisor, which is small
     while (divisor * (whole + 1) <= a) ++whole;
     while (divisor * whole > a) --whole;
     return expr->text == "mod" ? Rational(a - divisor * whole) : Rational(whole);
@@ -196,7 +196,8 @@ public:
 private:
     using Combination = std::vector<const Command*>;
 
-    /// "the modules whose text mentions a must all have an enabled a-command; every combination is one choice".
+    /// Returns the combinations of commands by definition: the modules whose text mentions a must all have an enabled
+    /// a-command, and every combination of such commands is one choice.
     std::vector<std::pair<std::string, Combination>> combinations(const State& state) const {
         std::vector<std::pair<std::string, Combination>> result;
         for (const std::string action : {"", "a", "b"}) {

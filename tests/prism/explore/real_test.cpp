@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real numbers: fractions stay exact, and enclosures contain the exact value.
+// Tests real numbers: fractions stay exact, and enclosures contain the exact value.
 #include "prism/explore/real.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(PrismReal, InfinityIsAValue) {
     EXPECT_EQ((zero - infinite).compare(infinite), -1);
 }
 
-/// "0/0 has no value", "?" if it is unknown whether there is a value, "" if there is one.
+/// Returns "0/0 has no value" if there is no value, "?" if it is unknown whether there is one, and "" if there is one.
 std::string problem_of(const std::function<Real()>& operation) {
     try {
         (void)operation();

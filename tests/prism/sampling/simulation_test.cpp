@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statistical model checking compared with exact answers. Seeds are fixed. If an interval at 1e-6 does not contain the
+// Compares statistical model checking with exact answers. Seeds are fixed. If an interval at 1e-6 does not contain the
 // exact value, this is almost certainly a bug.
 #include "prism/session/simulation.hpp"
 
@@ -53,7 +53,7 @@ struct Sampled {
     std::optional<Instance> instance;
 };
 
-/// A die simulated with coins (Knuth and Yao): its sides have equal probability.
+/// A die that is simulated with coins (Knuth and Yao). Its sides have equal probability.
 constexpr const char* die =
     "dtmc module M s:[0..7]; d:[0..6];\n"
     "[] s=0 -> 0.5:(s'=1) + 0.5:(s'=2); [] s=1 -> 0.5:(s'=3) + 0.5:(s'=4); [] s=2 -> 0.5:(s'=5) + 0.5:(s'=6);\n"
@@ -62,7 +62,7 @@ constexpr const char* die =
     "[] s=7 -> (s'=7); endmodule\n"
     "rewards \"flips\" [] s<7 : 1; endrewards rewards \"here\" s<7 : 2; endrewards\n";
 
-/// Two modules on one action, commands that overlap, and a deadlock at x=3.
+/// Two modules with a common action, commands that overlap, and a deadlock at x=3.
 constexpr const char* pair =
     "dtmc module A x:[0..3]; [a] x<3 -> 0.3:(x'=x+1) + 0.7:true; [a] x=1 -> (x'=3); [] x=0 -> 0.5:(x'=1) + 0.5:true;\n"
     "endmodule module B y:[0..2]; [a] y<2 -> (y'=y+1); [a] true -> 0.9:(y'=0) + 0.1:(y'=2); endmodule\n"
@@ -73,8 +73,8 @@ struct Case {
     const char* property;
 };
 
-/// Compares an estimate with the exact value: it must be inside the Clopper-Pearson interval, or within five standard
-/// deviations of a mean.
+/// Compares an estimate with the exact value, which must be inside the Clopper-Pearson interval, or within five
+/// standard deviations of a mean.
 void expect_near_exact(const Case& test_case, const std::string& method) {
     const double exact = Explored(test_case.model).ask(test_case.property).low.bounds().middle();
     const Result found = Sampled(test_case.model).ask(test_case.property, method);
@@ -118,13 +118,13 @@ TEST(PrismSimulation, EstimatesAgreeWithExactValues) {
     for (const Case& test_case : cases) expect_near_exact(test_case, "ci,samples=4000,confidence=0.000001");
 }
 
-/// The uniform scheduler of an mdp is simulated as the same text read as a dtmc.
+/// Without a scheduler, an mdp is refused. With the uniform scheduler, it is simulated like a dtmc with the same text.
 TEST(PrismSimulation, AnMdpIsRefusedWithoutAScheduler) {
     EXPECT_THAT(Sampled("mdp module M x:[0..1]; [] true -> (x'=1); endmodule").ask("Pmax=? [ F x=1 ]").reason,
                 HasSubstr("scheduler"));
 }
 
-/// Nested path formulas, which the numeric engine does not support: the paths to sides 1 to 3 go through s=1.
+/// The numeric engine does not support nested path formulas. The paths to sides 1 to 3 go through s=1.
 TEST(PrismSimulation, ConnectivesOfPathFormulas) {
     const auto about = [](const char* property, double value) {
         const Result found = Sampled(die).ask(property, "ci,samples=4000,confidence=0.000001");
@@ -159,7 +159,7 @@ TEST(PrismSimulation, TheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.estimate->mean, Sampled(die).ask("R{\"flips\"}=? [ F s=7 ]", "ci", 3, 5).estimate->mean);
 }
 
-/// Two of the numbers samples, width and confidence determine the third, by the formulas of PRISM's manual.
+/// Of samples, width and confidence, two numbers determine the third, by the formulas of PRISM's manual.
 TEST(PrismSimulation, ParametersOfMethods) {
     const auto ask = [](const char* method) { return *Sampled(die).ask("P=? [ F d=6 ]", method).estimate; };
     const Estimate usual = ask("ci");
@@ -281,7 +281,7 @@ TEST(PrismSimulation, WarningsComeOnceWhateverTheThreads) {
     EXPECT_EQ(model.read.findings(), "PRISM-E12:1");
 }
 
-/// A state has too many combinations to enumerate, and none of them is listed.
+/// A state has too many combinations to enumerate, so none of them is listed.
 TEST(PrismSimulation, ManyCombinationsAreNotListed) {
     std::string text = "dtmc\n";
     for (int i = 0; i < 20; ++i) {
@@ -295,7 +295,8 @@ TEST(PrismSimulation, ManyCombinationsAreNotListed) {
 }
 
 /// RoboTool's model of a high-voltage controller has more than 2.2 thousand million states, which no test explores.
-/// PRISM's logs contain the mean lengths of 100 paths; ours must be within five standard deviations of both means.
+/// PRISM's logs contain the mean lengths of 100 paths. This program's mean lengths must be within five standard
+/// deviations of both means.
 TEST(PrismSimulation, PathsOfAControllerAreAsLongAsThoseOfPrism) {
     const auto shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");
@@ -304,7 +305,7 @@ TEST(PrismSimulation, PathsOfAControllerAreAsLongAsThoseOfPrism) {
     const std::string properties = tests::read_contents(folder / "P5.props");
     const struct {
         const char* state;
-        double mean, resolution;  // the logs have two digits
+        double mean, resolution;  // the logs give two digits
         int samples;
     } logs[] = {{"Ramping", 6.3, 0.05, 1000},
                 {"Init", 27, 0.5, 500},
@@ -322,7 +323,7 @@ TEST(PrismSimulation, PathsOfAControllerAreAsLongAsThoseOfPrism) {
         EXPECT_EQ(found.estimate->hits, static_cast<std::uint64_t>(log.samples)) << log.state;
         std::cout << log.state << ": " << found.estimate->mean_steps << " steps (" << found.estimate->least_steps
                   << " to " << found.estimate->most_steps << "), PRISM " << log.mean << "\n";
-        // A length is a constant plus waiting times, whose standard deviation is at most their mean.
+        // The length of a path is a constant plus waiting times, whose standard deviation is at most their mean.
         const double deviation = log.mean * std::sqrt(1.0 / 100 + 1.0 / log.samples);
         EXPECT_NEAR(found.estimate->mean_steps, log.mean, 5 * deviation + log.resolution) << log.state;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counterexamples and strategies of small models, computed by hand.
+// Tests counterexamples and strategies of small models. The expected results are computed by hand.
 #include "prism/session/counterexample.hpp"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ std::optional<Counterexample> why(Explored& model, const std::string& property) 
     return session.counterexample(0, {});
 }
 
-/// The states of a path, and the commands of its steps.
+/// Returns the states of a path, and the commands of its steps.
 std::string path_text(const ProbablePath& path, const diagnostics::SourceManager& sources) {
     std::string result = path.from;
     for (const ProbablePath::Step& step : path.steps) result += " -" + text_of(step.by, sources) + "-> " + step.changes;
@@ -45,8 +45,7 @@ constexpr const char* robot =
 
 TEST(PrismCounterexample, TheMostProbablePathsThatExceedTheBound) {
     Explored model(robot);
-    // The paths 0 2 and 0 1 2 have probability 0.25 each. With one more stay in 0 before, each has a quarter of that,
-    // 0.0625.
+    // The paths 0 2 and 0 1 2 have probability 0.25 each. If 0 is repeated once, each has a quarter of that, 0.0625.
     const std::optional<Counterexample> found = why(model, "P<=0.55 [ F s=2 ]");
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->holds);
@@ -76,7 +75,7 @@ TEST(PrismCounterexample, BoundsOnSteps) {
     EXPECT_FALSE(why(model, "P<=0.1 [ F[1,2] s=2 ]"));
 }
 
-/// The probability to leave the safe states is greater than allowed: paths to the bad state violate G.
+/// The probability to leave the safe states is greater than allowed. So paths to the bad state violate G.
 TEST(PrismCounterexample, LowerBoundsOfSafety) {
     Explored model(robot);
     const std::optional<Counterexample> found = why(model, "P>=0.9 [ G s!=3 ]");
@@ -84,11 +83,11 @@ TEST(PrismCounterexample, LowerBoundsOfSafety) {
     EXPECT_FALSE(found->holds);
     EXPECT_FALSE(found->never);
     EXPECT_TRUE(found->enough);
-    EXPECT_EQ(found->count, 1U);  // 0 1 3 with 1/4 is more than 0.1
+    EXPECT_EQ(found->count, 1U);  // 0 1 3 has 1/4, which is more than 0.1
     EXPECT_EQ(found->bound.text(), "0.1");
 }
 
-/// The probability is too small: the counterexample consists of paths to states from which the goal is unreachable.
+/// The probability is too small, so the counterexample consists of paths to states from which the goal is unreachable.
 TEST(PrismCounterexample, LowerBoundsOfReachability) {
     Explored model(robot);
     const std::optional<Counterexample> found = why(model, "P>=0.8 [ F s=2 ]");
@@ -101,7 +100,7 @@ TEST(PrismCounterexample, LowerBoundsOfReachability) {
     EXPECT_FALSE(why(model, "P>=0.8 [ F<=4 s=2 ]"));
 }
 
-/// Finitely many paths approach 2/3 but never reach it.
+/// Finite sets of paths approach the probability 2/3, but none reaches it.
 TEST(PrismCounterexample, WhereNoFiniteSetIsEnoughItSaysSo) {
     Explored model(robot);
     const std::optional<Counterexample> found = why(model, "P<2/3 [ F s=2 ]");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutated models: every prefix of a text, and texts with pieces cut, doubled and exchanged. Each must be rejected with
-// a finding, stopped by a limit, or answered.
+// Tests mutated models: every prefix of a text, and texts with pieces cut, doubled and exchanged. Each must be rejected
+// with a finding, stopped by a limit, or answered.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ constexpr std::string_view property_text =
     "x=1) + "
     "floor(log(8,2));\nA [ G \"one\" >= 0 ] => P>=1 [ X b ];\nRmax=? [ C<=3 ];\n";
 
-/// Does everything that the verb does.
+/// Processes the texts in the same way as the verb.
 void process(const std::string& model, const std::string& properties) {
     diagnostics::Limits limits;
     limits.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);

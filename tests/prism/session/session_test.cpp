@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of small models, computed by hand.
+// Tests properties of small models, whose values are computed by hand.
 #include "prism/session/session.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ constexpr const char* fork =
     "dtmc module M s:[0..2]; [] s=0 -> 1/3:(s'=1) + 2/3:(s'=2); [] s>0 -> true; endmodule\n"
     "label \"one\" = s=1; rewards \"r\" true : 1; endrewards rewards \"e\" s=0 : 1; endrewards\n";
 
-/// A loop that may continue, or end in 2 or 3.
+/// A loop that may continue, or leave to 2 or 3.
 constexpr const char* loop =
     "mdp module M s:[0..3]; [] s=0 -> (s'=1); [] s=1 -> (s'=0);\n"
     "[] s=1 -> 0.5:(s'=2) + 0.5:(s'=3); [] s>=2 -> true; endmodule\n";

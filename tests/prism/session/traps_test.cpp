@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models on which plausible algorithms give a wrong answer; comments state the wrong and the correct answer.
+// Tests models on which plausible algorithms give a wrong answer. Comments state the wrong and the correct answer.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,16 +21,17 @@ void expect_encloses(const Result& found, double value) {
     EXPECT_LE(bounds.high - bounds.low, 1e-6 * value);
 }
 
-/// An iteration that stops at small changes (Haddad and Monmege, Interval iteration algorithm for MDPs and IMDPs,
-/// 2018). The event is n heads in a row before n tails in a row, where the coin starts again after each change. By
-/// symmetry the probability is 1/2.
+/// An iteration that stops at small changes gives a wrong answer (Haddad and Monmege, Interval iteration algorithm for
+/// MDPs and IMDPs, 2018). The event is n heads in a row before n tails in a row, where the count starts again after
+/// each change. By symmetry the probability is 1/2.
 TEST(PrismTraps, SlowConvergenceIsNoConvergence) {
     constexpr int n = 18;
     const std::string model =
         "dtmc const int n; module M s:[-n..n] init 0;\n"
         "[] s>=0 & s<n -> 0.5:(s'=s+1) + 0.5:(s'=s=0 ? -1 : 0); [] s<0 & s>-n -> 0.5:(s'=s-1) + 0.5:(s'=0);\n"
         "[] s=n | s=-n -> true; endmodule\n";
-    // Iterates from 0 until the value of the initial state changes by less than a millionth of itself.
+    // The wrong algorithm iterates from 0 until the value of the initial state changes by less than a millionth of
+    // itself.
     std::vector<double> value(2 * n + 1, 0);
     value[2 * n] = 1;
     double before = 0;
@@ -83,8 +84,8 @@ TEST(PrismTraps, ARewardThatIsNeverCollectedInFullIsInfinite) {
     EXPECT_TRUE(std::isinf(Explored(chain).ask("R=? [ F s=1 ]").low.bounds().low));
     EXPECT_FALSE(Explored(chain).ask("R<=1000000 [ F s=1 ]").truth);
     expect_encloses(Explored(chain).ask("R=? [ F s>0 ]"), 1);
-    // For an mdp, the minimum is finite if some scheduler reaches the goal with probability 1, the maximum if all
-    // schedulers do.
+    // For an mdp, the minimum is finite if some scheduler reaches the goal with probability 1. The maximum is finite if
+    // all schedulers do.
     const std::string choice =
         "mdp module M s:[0..1]; [stay] s=0 -> true; [go] s=0 -> (s'=1); [] s=1 -> true; endmodule\n"
         "rewards [go] true : 3; endrewards\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models of public questions and of bugs in other tools, and models for which this program once failed
+// Tests models of public questions and of bugs in other tools, and models for which this program once failed
 // (suite/findings3). Comments derive the values. The test is skipped if the material is absent.
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::Explored;
 
-/// A model of the folder, and a property with its answer as a fraction, text or truth value.
+/// A model of the folder, and a property. Its answer is a fraction, a text or a truth value.
 struct Question {
     std::string model, property, answer;
 };
@@ -86,7 +86,7 @@ TEST(PrismQuestions, UndefinedValuesAreErrorsOnlyWhereTheyAreUsed) {
                     {"inf2.prism", "filter(min, R{\"a\"}=? [ F x=1 ] / R{\"b\"}=? [ F x=1 ], x=0)", "0.5"},
                     {"inf2.prism", "R{\"a\"}=? [ F x=1 ] / R{\"b\"}=? [ F x=1 ]", "Infinity/Infinity has no value"},
                     {"inf2.prism", "filter(range, R{\"a\"}=? [ F x=1 ])", "0..Infinity"},
-                    // x/0 > 1000 is true and x/0 < 40 is false: `stay` is enabled from the start.
+                    // x/0 > 1000 is true and x/0 < 40 is false, so `stay` is enabled from the start.
                     {"inf.prism", "Pmin=? [ F s=3 ]", "0"},
                     {"inf.prism", "Pmax=? [ F s=3 ]", "1"},
                 });
@@ -158,13 +158,14 @@ TEST(PrismQuestions, WhatCameOutRightStaysRight) {
                     {"names.prism", "P=? [ F time=1 ]", "0.875"},
                     {"neg.prism", "R{\"gain\"}=? [ F \"home\" ]", "error[PRISM-E09]"},
                     {"ord.prism", "P=? [ F a=5 & b=5 ]", "1"},
-                    // 36 pairs of a and b before the sum is computed; all but the first also occur afterwards.
+                    // There are 36 pairs of a and b before the sum is computed. All pairs but the first also occur
+                    // afterwards.
                     {"ord.prism", "filter(count, true)", "71"},
                     // Half of the paths alternate between 1 and 2.
                     {"per.prism", "R=? [ S ]", "1"},
                     {"per.prism", "S=? [ s=1 ]", "0.25"},
                     {"sum.prism", "true", "error[PRISM-E05]"},
-                    {"sum2.prism", "true", "error[PRISM-E05]"},  // a third update without a probability has 1
+                    {"sum2.prism", "true", "error[PRISM-E05]"},  // the third update has no probability, so it has 1
                     // A scheduler that waits forever collects no reward, but never reaches the goal.
                     {"zero.prism", "Rmin=? [ F s=1 ]", "1"},
                     {"zero.prism", "Rmax=? [ F s=1 ]", "Infinity"},
@@ -177,7 +178,7 @@ TEST(PrismQuestions, WhatCameOutRightStaysRight) {
 }
 
 /// The robot has six units of energy. With `slow` alone it arrives unless three of six steps fail. Without energy the
-/// run ends if the robot is away from home.
+/// run ends, unless the robot is at home.
 TEST(PrismQuestions, ARobotWithABatteryIsDecided) {
     const fs::path all = folder("right/models");
     ROBOCHART_NEEDS(!all.empty() && fs::exists(all), "../shared/suite/findings3");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expectations computed by hand (suite/prism/prism-tests), and values of the Quantitative Verification Benchmark Set
-// (suite/prism/qvbs). Each is checked with enclosures, and with fractions if the model is small. The test is skipped if
-// the material is absent.
+// Tests expectations that were computed by hand (suite/prism/prism-tests), and values of the Quantitative Verification
+// Benchmark Set (suite/prism/qvbs). Each is checked with enclosures, and with fractions if the model is small. The test
+// is skipped if the material is absent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ std::vector<Row> read_table(const fs::path& path) {
     return rows;
 }
 
-/// Values in the notation of --const.
+/// Parses values in the notation of --const.
 Values values(const std::string& text, const std::string& model) {
     testing::Read read;
     const ModelFile file = read_model(read.sources, read.add(model), read.diagnostics);
@@ -61,7 +61,7 @@ Explored explored(const fs::path& folder, const Row& row, const std::string& con
     return Explored(model, values(constants, model));
 }
 
-/// The enclosure contains the value and is narrow.
+/// Returns whether the enclosure contains the value and is narrow.
 bool is_enclosed(const Real& found, double expected) {
     const Enclosure bounds = found.bounds();
     if (std::isinf(expected)) return bounds.low == expected;
@@ -86,7 +86,7 @@ bool as_wanted(const Result& found, const std::string& expected) {
     return found.kind == Kind::number && is_enclosed(found.low, parse_number(expected));
 }
 
-/// The first difference from the row; "" if there is none.
+/// Returns the first difference from the row, or "" if there is none.
 std::string find_difference(const fs::path& folder, const Row& row, bool exact) {
     const std::string& expected = row.at("result");
     const std::string& expression = row.at("expression");
@@ -117,7 +117,7 @@ TEST(PrismSuite, HandMadeExpectations) {
                 << row.at("result") << (exact ? " (exact)" : "");
 }
 
-/// The reason why this test skips a row of the benchmark set; "" if it runs the row.
+/// Returns the reason why this test skips a row of the benchmark set, or "" if it runs the row.
 std::string left_out(const Row& row) {
     if (row.at("dialect") == "storm") return "asks for reward-bounded paths, which PRISM's language does not have";
     if (row.at("model") == "mdp/rabin/rabin.5.prism")
@@ -126,11 +126,12 @@ std::string left_out(const Row& row) {
     return "";
 }
 
-/// Counts in the table that do not follow from the definition.
+/// Returns true for counts in the table that do not follow from the definition.
 bool known_departure(const Row& row, const std::string& column) {
     // A philosopher's step changes one of three equal parts of a ring. Coin flips are the only choices with two
-    // branches, so each philosopher has the same number of them. 3696 - 3342 = 354 is divisible by 3, 3696 - 3271 = 425
-    // is not. The table counts the branches of equal choices each time, as PRISM does, but the choices only once.
+    // branches, so each philosopher has the same number of them, and their total must be divisible by 3. 3696 - 3342 =
+    // 354 is divisible by 3, but 3696 - 3271 = 425 is not. Like PRISM, the table counts the branches of equal choices
+    // each time, but the choices only once.
     return row.at("model") == "mdp/philosophers-mdp/philosophers-mdp.3.prism" && column == "choices";
 }
 
@@ -207,9 +208,8 @@ TEST(PrismSuite, BenchmarkSet) {
     EXPECT_GE(exact_run, 60U);
 }
 
-/// RoboTool's model of a robot next to people, with half a million states. The counts are those of PRISM, and the
-/// values come from an independent computation, for one of the six sets of constants (the others have up to 2.3 million
-/// states).
+/// RoboTool's model of a robot next to people has half a million states. The counts are those of PRISM. The values come
+/// from an independent computation, for one of the six sets of constants (the others have up to 2.3 million states).
 TEST(PrismSuite, AModelOfRoboTool) {
     const fs::path shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");

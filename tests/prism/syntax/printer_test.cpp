@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printed text parses to the same tree.
+// Tests that printed text parses to the same tree.
 #include "prism/syntax/printer.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ void expect_same(const std::string& text) {
     EXPECT_TRUE(same_expr(first, second)) << text << "\n" << printed;
 }
 
-/// A random expression with all constructs of the language, fully parenthesised.
+/// Returns a random expression with all constructs of the language, fully parenthesised.
 std::string random_text(std::uint64_t& seed, int depth) {
     const auto sub = [&] { return "(" + random_text(seed, depth - 1) + ")"; };
     if (depth == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parser: precedence, recovery, rejected and malicious texts.
+// Tests the parser: precedence, recovery, rejected and malicious texts.
 #include "prism/syntax/reader.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::Read;
 
-/// The tree with every operation in parentheses.
+/// Returns the tree with every operation in parentheses.
 std::string shape(const ExprPtr& expr) {
     if (!expr) return "?";
     if (expr->parts.empty()) return expr->text;
@@ -42,8 +42,8 @@ std::string property_findings(const std::string& text) {
     return read.findings();
 }
 
-/// By the grammar: unary minus binds tighter than power; power and implication are right-associative, other operators
-/// left-associative; negation binds tighter than & and looser than =.
+/// By the grammar, unary minus binds tighter than power. Power and implication are right-associative, other operators
+/// left-associative. Negation binds tighter than & and looser than =.
 TEST(PrismReader, BindsAsTheGrammarSays) {
     const std::pair<const char*, const char*> same[] = {
         {"!x=1", "!(x=1)"},
@@ -147,7 +147,7 @@ TEST(PrismReader, PathOperatorsMayBeOperandsWhereTheirOwnOperandEndsClearly) {
     EXPECT_EQ(printed("P=? [ F (a => F b) ]"), "P=? [ F a => (F b) ]");
     EXPECT_EQ(printed("P=? [ G !F a ]"), "P=? [ G !(F a) ]");
     EXPECT_EQ(printed("P=? [ a | b & X !c ]"), "P=? [ a | b & (X !c) ]");
-    EXPECT_EQ(printed("P=? [ F a & b ]"), "P=? [ F a & b ]");  // as PRISM: F (a & b)
+    EXPECT_EQ(printed("P=? [ F a & b ]"), "P=? [ F a & b ]");  // as in PRISM: F (a & b)
     for (const char* unclear : {"P=? [ F a & F b ]", "P=? [ a & F b & c ]", "P=? [ a => F b | c ]", "P=? [ !F a & b ]",
                                 "P=? [ a & F b U c ]", "P=? [ a U b & F c ]", "P=? [ G a => F b ]"})
         EXPECT_EQ(printed(unclear), "PRISM-P09:1") << unclear;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See near.hpp.
 #include "tests/random_models/changes/near.hpp"
 
 #include <cctype>
@@ -16,7 +15,7 @@ std::string piece(const Project& project, const Cut& cut) {
     return project[cut.file].text.substr(cut.begin, cut.end - cut.begin);
 }
 
-/// Whole elements, without cuts that leave a part of one.
+/// Returns the cuts of whole elements, without cuts that leave a part of one.
 std::vector<Cut> elements(const Project& project) {
     std::vector<Cut> result;
     for (Cut& cut : find_cuts(project)) {
@@ -63,7 +62,7 @@ bool is_part_of_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// A word of the text: its start and end.
+/// The start and end of a word in the text.
 using Word = std::pair<std::size_t, std::size_t>;
 
 std::vector<Word> words(const std::string& text) {
@@ -77,7 +76,7 @@ std::vector<Word> words(const std::string& text) {
     return result;
 }
 
-/// Replaces a word by another word of the project, which may mean something else here, or nothing.
+/// Replaces a word by another word of the project. The new word may mean something else at this place, or nothing.
 Project replace_word(Project project, Random& random) {
     std::string& text = project[random.below(project.size())].text;
     const std::string& source = project[random.below(project.size())].text;

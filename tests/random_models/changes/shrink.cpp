@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See shrink.hpp.
 #include "tests/random_models/changes/shrink.hpp"
 
 #include <algorithm>
@@ -44,7 +43,7 @@ private:
     void whole(diagnostics::Span span) {
         if (span.is_known()) add(span.begin, span.end, "");
     }
-    /// The lines of a span, for members whose span does not include their keyword.
+    /// Cuts the lines of a span, for members whose span does not include their keyword.
     void lines(diagnostics::Span span) {
         if (!span.is_known()) return;
         const std::size_t before = text_.substr(0, span.begin).rfind('\n');
@@ -84,7 +83,7 @@ private:
         for (const auto& signature : context.signatures) whole(signature->span);
     }
 
-    /// A node with its transitions: the transitions of a junction cannot be removed one by one (J1, J2).
+    /// Cuts a node with its transitions, because the transitions of a junction cannot be removed one by one (J1, J2).
     void with_transitions(const State& node, const NodeContainer& container) {
         std::vector<diagnostics::Span> parts = {node.span};
         for (const auto& transition : container.transitions)
@@ -181,7 +180,7 @@ Project apply_cut(const Project& project, const Cut& cut) {
     return result;
 }
 
-/// After a cut the search continues at the same position, because earlier cuts that failed rarely succeed now.
+/// Continues the search at the same position after each cut, because earlier cuts that failed rarely succeed now.
 Project shrink(Project failing, const std::function<bool(const Project&)>& fails, std::size_t budget) {
     std::size_t skipped = 0;
     bool progress = true;

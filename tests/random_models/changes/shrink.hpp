@@ -10,7 +10,7 @@
 
 namespace robochart::random_models {
 
-/// A cut: a piece of a file and its replacement.
+/// A piece of a file, and the text that replaces it.
 struct Cut {
     std::size_t file = 0;
     std::size_t begin = 0;
@@ -18,13 +18,13 @@ struct Cut {
     std::string replacement;
 };
 
-/// All cuts of one step, the largest first: removal of a file, declaration, member, node, transition or clause;
+/// Returns all cuts of one step, the largest first: removal of a file, declaration, member, node, transition or clause;
 /// replacement of a statement by `skip` or one of its parts; replacement of an expression by one of its parts. Some
 /// variants are not well-formed.
 [[nodiscard]] std::vector<Cut> find_cuts(const Project& project);
 [[nodiscard]] Project apply_cut(const Project& project, const Cut& cut);
 
-/// Cuts as long as a variant still fails, with at most `budget` calls of `fails`. The result fails.
+/// Makes cuts as long as a variant still fails, with at most `budget` calls of `fails`. The returned project fails.
 [[nodiscard]] Project shrink(Project failing, const std::function<bool(const Project&)>& fails,
                              std::size_t budget = 3000);
 

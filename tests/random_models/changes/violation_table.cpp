@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of violations: one row for each way to violate a rule. See violations.hpp.
+// Contains the table of violations (violations.hpp), with one row for each way to violate a rule.
 #include "tests/random_models/changes/violations.hpp"
 
 namespace robochart::random_models {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds places for violations. See violations.hpp.
+// Finds components in which a rule can be violated.
 #include "tests/random_models/changes/violations.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Place {
     const NodeContainer* nodes = nullptr;  ///< of machines, operations and states
 };
 
-/// All components of a project by kind, including nested ones.
+/// Collects all components of a project by kind, including nested ones.
 class Places {
 public:
     explicit Places(const Model& model) {
@@ -50,7 +50,7 @@ public:
         }
         return kind(DeclKind::state);
     }
-    /// The place of a component.
+    /// Returns the place of a component.
     [[nodiscard]] const Place* find(const Declaration* component) const {
         for (const auto& [kind, places] : places_)
             for (const Place& place : places)
@@ -101,7 +101,7 @@ std::vector<std::string> inner_states(const NodeContainer* container) {
     return names;
 }
 
-/// The parts of a controller that are machines, with the definitions of the machines.
+/// Returns the parts of a controller that are machines, with the definitions of the machines.
 std::vector<std::pair<std::string, const Machine*>> machine_parts(const Declaration* component) {
     std::vector<std::pair<std::string, const Machine*>> parts;
     const auto* controller = dynamic_cast<const Component*>(component);
@@ -115,12 +115,12 @@ std::vector<std::pair<std::string, const Machine*>> machine_parts(const Declarat
     return parts;
 }
 
-/// Replaces `$word`s by names.
+/// Replaces words such as `$state` by names of elements.
 class Filler {
 public:
     Filler(const Place& place, Random& random) : place_(place), random_(random) {}
 
-    /// Returns nullopt if the component has no such element.
+    /// Returns the text with names, or nullopt if the component has no such element.
     std::optional<std::string> fill(std::string_view text) {
         std::string out;
         while (!text.empty()) {
@@ -172,7 +172,7 @@ private:
     const Machine* part_ = nullptr;
 };
 
-/// Texts to insert, in descending order of position.
+/// Collects texts to insert, in descending order of position.
 class Insertions {
 public:
     explicit Insertions(const Model& model) : model_(model) {}

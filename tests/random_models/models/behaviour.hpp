@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines and operations of random models: nodes, transitions, actions (private to the component).
+// Writes the machines and operations of random models: nodes, transitions, actions (private to the component).
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@ namespace robochart::random_models {
 /// An event of a component.
 struct Port {
     std::string name;
-    const DataType* type = nullptr;  ///< null: untyped
-    bool receives = true;            ///< from the component's point of view; otherwise it sends
-    bool both_ways = false;          ///< connected by [mult]
+    const DataType* type = nullptr;  ///< null if untyped
+    bool receives = true;            ///< from the component's point of view; if false, it sends
+    bool both_ways = false;          ///< whether it is connected by [mult]
     bool broadcast = false;
 };
 
@@ -26,7 +26,7 @@ struct Signature {
     std::string interface = {};  ///< the interface that declares it
 };
 
-/// A state that can be named in `sinceEntry`, with the transitions of its container.
+/// A state that can be named in `sinceEntry`, with the transitions of the node that contains it.
 struct Container {
     std::vector<std::string> states;
     std::vector<std::string> finals;
@@ -42,7 +42,7 @@ struct Surroundings {
     std::string chance = {};  ///< a constant that is a probability; "" if there is none
 };
 
-/// Indented lines.
+/// Collects indented lines.
 class Lines {
 public:
     explicit Lines(std::size_t depth = 0) : depth_(depth) {}
@@ -63,7 +63,7 @@ class Behaviour {
 public:
     Behaviour(Random& random, const Shape& shape, Names& names, Types& types, const Surroundings& around);
 
-    /// The nodes and transitions of a machine or operation. An operation has to end in a final state.
+    /// Writes the nodes and transitions of a machine or operation. An operation has to end in a final state.
     void container(Lines& out, std::size_t depth, bool must_end);
     Expressions& expressions() { return expressions_; }
 
@@ -81,30 +81,30 @@ private:
         std::vector<Step> steps;
     };
 
-    // Statements (behaviour_statements.cpp)
+    // Statements (behaviour_statements.cpp).
     std::string action();
     std::string statement(std::size_t depth);
     std::string simple_statement();
     std::string assignment();
     std::string communication();
     std::string call();
-    /// The condition under which a communication on a broadcast event is accepted: `[| x = from | p |]`; "" if it is
-    /// always accepted.
+    /// Returns the condition under which a communication on a broadcast event is accepted, `[| x = from | p |]`, or ""
+    /// if it is always accepted.
     std::string filter(const Port& port, const std::string& peer);
-    /// The text of the variable that stores an input on the port; "" if there is none. With reals in the shape, whole
-    /// numbers are often received into variables of wider types.
+    /// Returns the text of the variable that stores an input on the port, or "" if there is none. With reals in the
+    /// shape, whole numbers are often received into variables of wider types.
     std::string stored_variable(const Port& port);
-    /// The text of the first variable with a suitable type; "" if there is none.
+    /// Returns the text of the first variable with a suitable type, or "" if there is none.
     std::string first_variable(const std::function<bool(const DataType&)>& suits);
     std::string timed_statement();
-    /// A number of time units.
+    /// Returns a number of time units.
     std::string duration();
-    /// An assignable part of the variable, at any depth, with its type.
+    /// Returns an assignable part of the variable, at any depth, with its type.
     Named part_of(Named whole);
     std::string conditional(std::size_t depth);
     std::string sequence(std::size_t depth);
 
-    // Nodes (behaviour_nodes.cpp)
+    // Nodes (behaviour_nodes.cpp).
     Nodes plan(bool must_end);
     void plan_junctions(Nodes& nodes);
     std::vector<std::string> ways();
@@ -121,7 +121,7 @@ private:
     Types& types_;
     const Surroundings& around_;
     Expressions expressions_;
-    std::string inside_;  ///< the state whose nodes are being written; "" for the machine
+    std::string inside_;  ///< the state whose nodes are being written, or "" for the machine
 };
 
 }  // namespace robochart::random_models

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes and transitions of random models: every node has incoming and outgoing transitions as the rules require. See
-// behaviour.hpp.
+// Writes the nodes and transitions of random models. Every node has incoming and outgoing transitions as the rules
+// require.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::string Behaviour::trigger() {
     return variable.empty() ? "" : port.name + accepted + "?" + variable;
 }
 
-/// A condition over variables, clocks and states of the container (TE4, TE5).
+/// Returns a condition over variables, clocks and states of the container (TE4, TE5).
 std::string Behaviour::condition(const Nodes& nodes) {
     const std::vector<std::string> orders = {"<", "<=", ">", ">=", "=="};
     if (!shape_.time || random_.chance(60)) return expressions_.expression_text(*types_.boolean());
@@ -41,7 +41,7 @@ std::string Behaviour::target(const Nodes& nodes) {
     return random_.pick(nodes.states);
 }
 
-/// Guards of the outgoing transitions of a junction. One of them is true, unless the shape varies junctions.
+/// Returns guards for the outgoing transitions of a junction. One of them is true, unless the shape varies junctions.
 std::vector<std::string> Behaviour::ways() {
     const std::string guard = expressions_.operand(*types_.boolean(), 4);
     const bool otherwise = shape_.else_conditions && random_.chance(50);
@@ -67,7 +67,7 @@ std::vector<std::string> Behaviour::chances() {
                               : std::vector<std::string>{"1 / 2", "0.25", "1 / 4"};
 }
 
-/// A junction splits one transition into several; a probabilistic junction splits it by probability.
+/// Plans junctions, which split one transition into several. A probabilistic junction splits it by probability.
 void Behaviour::plan_junctions(Nodes& nodes) {
     const auto split = [&](const std::string& name, const std::vector<std::string>& ways, bool by_chance) {
         const bool chained = shape_.varied_junctions && !by_chance && nodes.junctions.size() > 1 && random_.chance(60);

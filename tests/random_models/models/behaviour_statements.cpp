@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions of random models. See behaviour.hpp.
+// Writes the actions of random models.
 #include <fmt/format.h>
 
 #include "tests/random_models/models/behaviour.hpp"
@@ -66,7 +66,7 @@ std::string Behaviour::conditional(std::size_t depth) {
     return fmt::format("if {} then {}{} end", condition, yes, no);
 }
 
-/// A statement that takes no time of its own; `skip` if nothing suitable is in scope.
+/// Returns a statement that takes no time itself, or `skip` if nothing suitable is in scope.
 std::string Behaviour::simple_statement() {
     constexpr int attempts = 4;
     for (int i = 0; i < attempts; ++i) {
@@ -133,7 +133,8 @@ std::string Behaviour::first_variable(const std::function<bool(const DataType&)>
     return {};
 }
 
-/// "" if no communication on the chosen event is possible. Connections exist only for these directions (Cn8, Cn9).
+/// Returns "" if no communication on the chosen event is possible, because connections exist only for these directions
+/// (Cn8, Cn9).
 std::string Behaviour::communication() {
     constexpr int call_level = 12;
     const Port port = random_.pick(around_.ports);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The types of a random model, and expressions of a given type (private to the component). Expressions are well-typed
-// by construction, by the rules for types (language reference 2, Types).
+// Makes the types of a random model, and expressions of a given type (private to the component). Expressions are
+// well-typed by construction, by the rules for types (language reference 2, Types).
 #pragma once
 
 #include <deque>
@@ -33,7 +33,7 @@ enum class Form {
     relation,
 };
 
-/// A type; equal types are the same object.
+/// A type. Equal types are the same object.
 struct DataType {
     Form form = Form::nat;
     std::string written;                                  ///< as RoboChart text
@@ -47,7 +47,7 @@ struct DataType {
 struct Named {
     std::string name;
     const DataType* type = nullptr;
-    std::string interface = {};  ///< the interface required for it; "" if none
+    std::string interface = {};  ///< the interface that must be required for it, or "" if none
 };
 
 /// A declared function.
@@ -60,20 +60,20 @@ struct Operator {
 /// A generic function of a toolkit or of the model.
 struct Generic {
     std::string name;
-    std::string package;  ///< of a toolkit; "" for the model's own functions
+    std::string package;  ///< of a toolkit, or "" for the model's own functions
     std::vector<frontend::TypeExprPtr> parameters;
     frontend::TypeExprPtr result;
 };
 
-/// The functions that a text declares.
+/// Returns the functions that a text declares.
 [[nodiscard]] std::vector<Generic> read_generics(const std::string& package, const std::string& text);
-/// The functions of the four toolkits.
+/// Returns the functions of the four toolkits.
 [[nodiscard]] const std::vector<Generic>& toolkit_functions();
 
-/// The type chosen for each type variable.
+/// The types that are chosen for the type variables.
 using TypeChoice = std::map<std::string, const DataType*>;
 
-/// The text of an expression and its precedence (levels of the grammar, from `iff` 0 to atoms 13).
+/// The text of an expression and its precedence, which is a level of the grammar (from `iff` 0 to atoms 13).
 struct Written {
     std::string text;
     int level = 13;
@@ -84,19 +84,19 @@ class Types {
 public:
     Types(Random& random, const Shape& shape, Names& names);
 
-    /// A type for variables and events: a new one within the shape, or an existing one.
+    /// Returns a type for variables and events: a new one within the shape, or an existing one.
     const DataType* any_type();
-    /// A type that exists already.
+    /// Returns an existing type.
     const DataType* existing_type();
-    /// An existing type for a part of a product: it contains no wider numbers, so that tuples of equal type are
+    /// Returns an existing type for a part of a product. It contains no wider numbers, so that tuples of equal type are
     /// comparable.
     const DataType* existing_part();
-    /// A type that variables need not be able to have, such as the type of an argument of a toolkit's function.
+    /// Returns a type that no variable needs to have, such as the type of an argument of a toolkit's function.
     const DataType* sought_type(DataType type);
-    /// Finds types for the type variables such that `written` becomes a type that fits; returns false if there are
+    /// Finds types for the type variables such that `written` becomes a type that fits. Returns false if there are
     /// none.
     bool unify(const frontend::TypeExpr& written, const DataType& type, TypeChoice& choice) const;
-    /// The type that the text denotes; chooses types for variables that are still open.
+    /// Returns the type that the text denotes. Chooses types for variables that are still open.
     const DataType* instance(const frontend::TypeExpr& written, TypeChoice& choice);
     [[nodiscard]] const DataType* boolean() const { return &types_[0]; }
     [[nodiscard]] const DataType* nat() const { return &types_[1]; }
@@ -106,7 +106,7 @@ public:
     void declare_generics();
     /// Declares a function over the existing types, if the shape includes functions.
     void declare_function();
-    /// The declarations so far, each of them a separate definition.
+    /// Returns the declarations so far, each of them a separate definition.
     [[nodiscard]] const std::vector<std::string>& declarations() const { return declarations_; }
 
 private:
@@ -129,10 +129,10 @@ private:
     std::vector<std::string> declarations_;
 };
 
-/// nat, int or real.
+/// Returns true for nat, int and real.
 [[nodiscard]] bool is_number(const DataType& type);
 
-/// Whether a value of type `from` may be used where `to` is expected.
+/// Returns whether a value of type `from` may be used where `to` is expected.
 [[nodiscard]] bool fits_type(const DataType& from, const DataType& to);
 
 /// Generates expressions over the names in scope.
@@ -142,16 +142,16 @@ public:
 
     /// The names that expressions may read.
     std::vector<Named> scope;
-    /// Whether functions may be called (they may not in constant expressions).
+    /// False in constant expressions, which may not call functions.
     bool calls = true;
 
-    /// An expression that fits the type; the shape bounds its height.
+    /// Returns an expression that fits the type. The shape bounds its height.
     std::string expression_text(const DataType& type);
-    /// Such an expression as an operand that binds at least as tightly as `level`.
+    /// Returns such an expression as an operand with a precedence of at least `level`.
     std::string operand(const DataType& type, int level);
-    /// A literal, or a composition of literals.
+    /// Returns a literal, or a composition of literals.
     std::string literal(const DataType& type);
-    /// A small natural number.
+    /// Returns a small natural number.
     std::string number(std::size_t least = 0);
 
 private:

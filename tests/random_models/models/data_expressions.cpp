@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of random models. See data.hpp.
+// Makes the expressions of random models.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace robochart::random_models {
 
 namespace {
 
-// Levels of the grammar, loosest first.
+// Levels of the grammar, lowest precedence first.
 constexpr int data_quantifier_level = -1;
 constexpr int implies_level = 1;
 constexpr int or_level = 2;
@@ -107,7 +107,7 @@ std::string Expressions::literal_text(const DataType& type) {
     return constructor(type, 0);
 }
 
-/// `a, b` of these types.
+/// Returns expressions of these types, separated by commas.
 std::string Expressions::list(const std::vector<const DataType*>& types, std::size_t depth, int level) {
     std::string out;
     for (const DataType* type : types) {
@@ -117,7 +117,8 @@ std::string Expressions::list(const std::vector<const DataType*>& types, std::si
     return out;
 }
 
-/// Parts of a tuple are cast to the wider number type, because `nat * int` and `int * nat` have no common type.
+/// Returns the parts of a tuple, cast to the wider number type, because `nat * int` and `int * nat` have no common
+/// type.
 std::string Expressions::tuple_parts(const DataType& type, std::size_t depth) {
     std::string out;
     for (const DataType* part : type.parts) {
@@ -128,14 +129,14 @@ std::string Expressions::tuple_parts(const DataType& type, std::size_t depth) {
     return out;
 }
 
-/// Records, products, sequences, vectors and matrices from their parts.
+/// Returns a record, product, sequence, vector or matrix that is built from its parts.
 std::string Expressions::constructor(const DataType& type, std::size_t depth) {
     if (type.form == Form::product) return "(|" + tuple_parts(type, depth) + "|)";
     if (type.form == Form::function || type.form == Form::relation) return mapping(type, depth);
     if (type.form == Form::sequence) {
         const std::vector<const DataType*> parts(random_.between(1, 3), type.parts[0]);
         const std::string elements = list(parts, depth, data_plus_level);
-        // A sequence that starts with a set would be parsed as a deadline.
+        // A sequence whose first element is a set would be parsed as a deadline.
         return elements.starts_with("{") ? "< " + elements + ">" : "<" + elements + ">";
     }
     if (type.form == Form::record) {
@@ -205,7 +206,7 @@ Written Expressions::compound(const DataType& type, std::size_t depth) {
     return leaf(type);
 }
 
-/// Forms that exist for every type.
+/// Returns one of the forms that exist for every type.
 Written Expressions::common(const DataType& type, std::size_t depth) {
     const std::size_t way = random_.below(6);
     if (way == 5 && shape_.data.binders) return application(type, depth);
@@ -242,7 +243,7 @@ Written Expressions::definite_description(const DataType& type, std::size_t dept
     return {fmt::format("the {0} : {1} | {0} == {2} @ {0}", name, type.written, value), data_let_level};
 }
 
-/// `(lambda x : T @ e)(a)`
+/// Returns an application `(lambda x : T @ e)(a)`.
 Written Expressions::application(const DataType& type, std::size_t depth) {
     const DataType& bound = *types_.existing_type();
     const std::string argument = text_at_level(data_quantifier_level, bound, depth);
@@ -253,7 +254,7 @@ Written Expressions::application(const DataType& type, std::size_t depth) {
     return {fmt::format("(lambda {} : {} @ {})({})", name, bound.written, body, argument), data_select_level};
 }
 
-/// A field of a record in scope, an element of a product, sequence or vector.
+/// Returns a field of a record in scope, or an element of a product, sequence or vector.
 Written Expressions::part(const DataType& type) {
     std::vector<std::string> parts;
     for (const Named& named : scope) {
@@ -351,7 +352,7 @@ Written Expressions::quantified_formula(std::size_t depth) {
 
 // ---------------------------------------------------------------- numbers and sets
 
-/// `nat - nat` is an int, `/` a real, `%` an int.
+/// Returns a number expression: `nat - nat` is an int, `/` yields a real, and `%` an int.
 Written Expressions::numeric(const DataType& type, std::size_t depth) {
     switch (random_.below(6)) {
         case 0:
@@ -375,7 +376,7 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
     return binary(type, "+", type, data_plus_level, depth);
 }
 
-/// `{a to b}`, `[a, b)` and the like.
+/// Returns an interval such as `{a to b}` or `[a, b)`.
 std::string Expressions::interval(std::size_t depth) {
     const std::string low = text_at_level(data_quantifier_level, *types_.nat(), depth);
     const std::string high = text_at_level(data_quantifier_level, *types_.nat(), depth);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generic functions of random models: those of the toolkits and some of the model. The types of a call are found by
-// matching the declared result type with the required one. See data.hpp.
+// Makes calls of the generic functions of random models: those of the toolkits and some of the model. The types of a
+// call are found by matching the declared result type with the required one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ std::string operand(const DataType& type) {
     return loose ? "(" + type.written + ")" : type.written;
 }
 
-/// The operator of a product, function or relation type.
+/// Returns the operator of a product, function or relation type.
 const char* type_operator(Form form) {
     if (form == Form::product) return " * ";
     return form == Form::function ? " -> " : " <-> ";
@@ -87,7 +87,7 @@ std::string written_type(const DataType& type) {
     return out;
 }
 
-/// Whether a type variable of a toolkit is restricted to numbers.
+/// Returns whether a type variable of a toolkit is restricted to numbers.
 bool is_numeric(const TypeExpr& variable) {
     return variable.name.text() == "Number";
 }
@@ -102,7 +102,7 @@ const DataType* Types::sought_type(DataType type) {
     return &sought_.back();
 }
 
-/// `nat`, `int` or `boolean`, even if the shape has no such variables.
+/// Returns `nat`, `int` or `boolean`, even if the shape has no such variables.
 const DataType* Types::basic(const std::string& name) const {
     static const DataType integer{Form::integer, "int", {}, {}, 0, 0, {}};
     for (const DataType& known : types_)
@@ -157,7 +157,7 @@ void Types::declare_generics() {
 
 // ---------------------------------------------------------------- expressions
 
-/// A call of a generic function whose result fits the type.
+/// Returns a call of a generic function whose result fits the type.
 Written Expressions::generic_call(const DataType& type, std::size_t depth) {
     std::vector<std::pair<const Generic*, TypeChoice>> found;
     for (const std::vector<Generic>* functions : {&toolkit_functions(), &types_.generics()})
@@ -180,7 +180,7 @@ Written Expressions::generic_call(const Generic& function, TypeChoice choice, st
     return {package + function.name + "(" + list(parameters, depth, -1) + ")", call_level};
 }
 
-/// `f(..) == e` for any function, because the result types of some functions occur nowhere else.
+/// Returns `f(..) == e` for any function, because the result types of some functions occur nowhere else.
 Written Expressions::generic_comparison(std::size_t depth) {
     constexpr int compare_level = 5;
     const Generic& function = random_.pick(toolkit_functions());
@@ -191,7 +191,8 @@ Written Expressions::generic_comparison(std::size_t depth) {
             compare_level};
 }
 
-/// `lambda x : A @ e`, in parentheses if it is an argument or operand; a relation is the set of its pairs.
+/// Returns `lambda x : A @ e`, in parentheses if it is an argument or operand. For a relation, returns the set of its
+/// pairs.
 std::string Expressions::mapping(const DataType& type, std::size_t depth) {
     if (type.form == Form::function) {
         scope.push_back({"b" + std::to_string(bound_++), type.parts[0]});
@@ -208,7 +209,7 @@ std::string Expressions::mapping(const DataType& type, std::size_t depth) {
     return "{" + out + "}";
 }
 
-/// `E::L` or `E::L(a, b)`.
+/// Returns `E::L` or `E::L(a, b)`.
 std::string Expressions::literal_of(const DataType& type, std::size_t depth) {
     const std::size_t which = random_.below(type.labels.size());
     const std::string name = type.written + "::" + type.labels[which];
@@ -216,7 +217,7 @@ std::string Expressions::literal_of(const DataType& type, std::size_t depth) {
     return arguments.empty() ? name : name + "(" + list(arguments, depth, -1) + ")";
 }
 
-/// `e is T`, where T is the type of e, or a narrower or wider one.
+/// Returns `e is T`, where T is the type of e, or a narrower or wider one.
 Written Expressions::type_test(std::size_t depth) {
     constexpr int cast_level = 7;
     const DataType& type = *types_.existing_type();
@@ -226,7 +227,7 @@ Written Expressions::type_test(std::size_t depth) {
     return {fmt::format("{} is {}", value, related ? other.written : type.written), cast_level};
 }
 
-/// `{x : T}`, with a condition, a result expression, or both.
+/// Returns `{x : T}`, with a condition, a result expression, or both.
 Written Expressions::comprehension(const DataType& element, std::size_t depth) {
     scope.push_back({"b" + std::to_string(bound_++), &element});
     const std::string name = scope.back().name;
@@ -238,7 +239,7 @@ Written Expressions::comprehension(const DataType& element, std::size_t depth) {
     return {fmt::format("{{{} : {}{}{}}}", name, element.written, condition, body), 13};
 }
 
-/// Vectors and matrices: sums, transposes and inverses, or their parts.
+/// Returns a vector or matrix: a sum, a transpose, an inverse, or one that is built from its parts.
 Written Expressions::matrix(const DataType& type, std::size_t depth) {
     constexpr int plus_level = 8;
     const std::size_t way = random_.below(10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types and functions of random models. See data.hpp.
+// Makes the types and functions of random models.
 #include <fmt/format.h>
 
 #include "tests/random_models/models/data.hpp"
@@ -141,8 +141,8 @@ const DataType* Types::enumeration() {
     return intern(std::move(type));
 }
 
-/// `A -> B`, `A <-> B`, or with `A * B` before the arrow. Like parts of products, the operands contain no wider
-/// numbers.
+/// Returns `A -> B`, `A <-> B`, or a type with `A * B` before the arrow. Like parts of products, the operands contain
+/// no wider numbers.
 const DataType* Types::mapping(Form form) {
     DataType type;
     type.form = form;

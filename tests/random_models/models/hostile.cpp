@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See hostile.hpp.
 #include "tests/random_models/models/hostile.hpp"
 
 namespace robochart::random_models {

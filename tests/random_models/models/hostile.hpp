@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and strings with a meaning in other languages (private to the component): in CSPM, in C++ and its headers, in
-// generated code, in CMake, shells and XML.
+// Lists names and strings with a meaning in other languages (private to the component): in CSPM, in C++ and its
+// headers, in generated code, in CMake, shells and XML.
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace robochart::random_models {
 
-/// Names other than core types and reserved words of RoboChart, which are written with a `^`.
+/// Returns names other than core types and reserved words of RoboChart. (Reserved words need a `^`.)
 [[nodiscard]] const std::vector<std::string_view>& hostile_names();
-/// String literals in RoboChart's notation.
+/// Returns string literals in RoboChart's notation.
 [[nodiscard]] const std::vector<std::string_view>& hostile_strings();
 
 }  // namespace robochart::random_models

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See names.hpp.
 #include "tests/random_models/models/names.hpp"
 
 #include "frontend/syntax/lexer.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names for random models (private to the component): unique in a project, pronounceable, sometimes reserved words.
+// Makes names for random models (private to the component). They are unique in a project, pronounceable, and sometimes
+// reserved words.
 #pragma once
 
 #include <map>
@@ -17,12 +18,12 @@ class Names {
 public:
     Names(Random& random, const Shape& shape) : random_(random), shape_(shape) {}
 
-    /// A name that starts with `stem`, such as `speed3`; rarely an escaped reserved word.
+    /// Returns a name that starts with `stem`, such as `speed3`, or rarely an escaped reserved word.
     std::string unused_name(std::string_view stem);
-    /// A name that is local to the current component. Other components may use the same name if the shape repeats
-    /// names.
+    /// Returns a name that is local to the current component. Other components may use the same name if the shape
+    /// repeats names.
     std::string local_name(std::string_view stem);
-    /// A name for the package of a file, with qualifiers if names are hostile.
+    /// Returns a name for the package of a file, with qualifiers if names are hostile.
     std::string package_for_file(std::size_t file);
     /// Starts another component, in which names that are local to other components may be reused.
     void begin_component() { used_here_.clear(); }
@@ -33,7 +34,7 @@ private:
 
     Random& random_;
     const Shape& shape_;
-    /// An unused word of another language; "" if there is none left.
+    /// Returns an unused word of another language, or "" if there is none left.
     std::string hostile_name();
 
     std::size_t used_words_ = 0;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See project.hpp.
 #include "tests/random_models/models/project.hpp"
 
 #include <algorithm>

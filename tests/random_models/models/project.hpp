@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random models as texts, the input of parsers, editors, fuzzers and other tools.
+// Represents random models as texts, which are the input of parsers, editors, fuzzers and other tools.
 #pragma once
 
 #include <cstddef>
@@ -25,22 +25,22 @@ struct Text {
 /// The files of a project, in the order of their paths.
 using Project = std::vector<Text>;
 
-/// The number of lines that are not blank, in all files.
+/// Returns the number of lines in all files that are not blank.
 [[nodiscard]] std::size_t lines(const Project& project);
-/// All files in one text, each preceded by its path, for messages of failing tests.
+/// Returns all files in one text, each preceded by its path, for messages of failing tests.
 [[nodiscard]] std::string listing(const Project& project);
-/// Writes the files into a folder, which is created. Returns "" or the cause of a failure.
+/// Writes the files into a folder, which is created. Returns "", or the cause if this fails.
 [[nodiscard]] std::string write(const Project& project, const std::string& folder);
 
-/// A project that is loaded and resolved, with the findings.
+/// A project that has been loaded and resolved, with its findings.
 struct Loaded {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
     frontend::Model model;
 
-    /// The distinct codes of the errors, sorted and separated by blanks; "" if there is none.
+    /// Returns the distinct codes of the errors, sorted and separated by blanks, or "" if there is none.
     [[nodiscard]] std::string error_codes() const;
-    /// The findings in readable form.
+    /// Returns the findings in readable form.
     [[nodiscard]] std::string report() const;
 };
 

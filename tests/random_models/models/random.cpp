@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See random.hpp.
 #include "tests/random_models/models/random.hpp"
 
 #include "base/diagnostics/splitmix64.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers that are the same on every platform: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom
-// number generators, OOPSLA 2014). Distributions of the standard library are not used, because their results differ
-// between libraries.
+// Draws random numbers that are the same on every platform: SplitMix64 (Steele, Lea, Flood: Fast splittable
+// pseudorandom number generators, OOPSLA 2014). Distributions of the standard library are not used, because their
+// results differ between libraries.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@ class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
-    /// The next 64 bits.
+    /// Returns the next 64 bits.
     std::uint64_t next();
-    /// A number below `bound`, which must be positive.
+    /// Returns a number below `bound`, which must be positive.
     std::size_t below(std::size_t bound);
-    /// A number from `low` to `high`, both included.
+    /// Returns a number from `low` to `high`, both included.
     std::size_t between(std::size_t low, std::size_t high) { return low + below(high - low + 1); }
-    /// True in `percent` of 100 cases.
+    /// Returns true in `percent` of 100 cases.
     bool chance(unsigned percent) { return below(100) < percent; }
-    /// One of the items; `items` must not be empty.
+    /// Returns one of the items. `items` must not be empty.
     template <class Item>
     const Item& pick(const std::vector<Item>& items) {
         return items[below(items.size())];

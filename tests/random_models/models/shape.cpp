@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See shape.hpp.
 #include "tests/random_models/models/shape.hpp"
 
 namespace robochart::random_models {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters of random well-formed models: sizes, and the language constructs that they use.
+// Describes random well-formed models: their sizes, and the language constructs that they use.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ struct Count {
     std::size_t high = 0;
 };
 
-/// The values of variables, events and parameters.
+/// The types and expressions of variables, events and parameters.
 struct Data {
     bool naturals = true;
     bool integers = false;
     bool reals = false;
     bool strings = false;
-    bool given = false;  ///< `type X`, with a function that yields a value of it
+    bool given = false;  ///< `type X`, with a function that yields one of its values
     bool enumerations = true;
     bool records = false;
     bool products = false;
@@ -43,7 +43,7 @@ struct Shape {
     Count controllers{1, 2};
     Count machines{1, 2};     ///< of a controller
     Count states{1, 3};       ///< of a machine or composite state, without junctions and final states
-    Count transitions{0, 3};  ///< of a container, in addition to those that well-formedness and reachability need
+    Count transitions{0, 3};  ///< of a container, in addition to those that the rules and reachability need
     Count variables{0, 2};    ///< of a machine
     Count constants{0, 1};    ///< of a machine
     Count events{1, 3};       ///< of a machine
@@ -70,7 +70,7 @@ struct Shape {
     bool paced = false;              ///< with `time`: actions take a time unit, and so do entry actions of states
     bool shared_variables = true;    ///< of the platform and of controllers
     bool open_constants = false;     ///< constants without a value
-    bool varied_places = false;      ///< members of interfaces in components, and members of components in interfaces
+    bool varied_places = false;      ///< members of interfaces may be declared in components, and the reverse
     bool references = true;          ///< rref, cref, sref, opref in addition to definitions in place
     bool buffers = false;            ///< half of the connections between controllers are asynchronous
     bool unconnected_events = true;
@@ -82,26 +82,27 @@ struct Shape {
     bool varied_times = false;        ///< durations that depend on variables: `wait(v)`, `since(C) < v`
     bool varied_junctions = false;    ///< junctions after initial nodes and junctions, with overlapping or false guards
     bool chance_expressions = false;  ///< probabilities such as `1 / 4` and `1 - q`
-    bool instances = false;           ///< two references to the same machine or controller
+    bool instances = false;           ///< two references to one machine or controller
     bool bodiless_operations = false;
     bool operation_events = false;   ///< operations communicate on events of their callers
     bool nested_operations = false;  ///< operations call others, and access variables and clocks of their callers
-    bool repeated_names = false;     ///< components use names for their members that others use for theirs
+    bool repeated_names = false;     ///< components use the same names for their members
     bool broadcast = false;          ///< `_broadcast` events, and conditions of their communications
     bool packages = true;            ///< named packages and imports
-    bool qualified_names = false;    ///< `P::X` in places where `X` is enough
+    bool qualified_names = false;    ///< `P::X` although `X` is enough
     bool escaped_names = false;      ///< `^end` and other reserved words as names
     bool hostile = false;            ///< names and strings with a meaning in CSPM or C++
     bool assertions = true;          ///< an assertion file for each module
     bool comments = false;           ///< and `diagram`
 
-    /// One or a few machines with booleans, small numbers and enumerations, without time: state spaces stay small.
+    /// Returns the shape of one or a few machines with booleans, small numbers and enumerations, without time. Their
+    /// state spaces are small.
     [[nodiscard]] static Shape untimed_core();
-    /// The untimed core with clocks, waits and deadlines.
+    /// Returns the untimed core with clocks, waits and deadlines.
     [[nodiscard]] static Shape timed_core();
-    /// Every construct that a model without errors may contain.
+    /// Returns a shape with every construct that a model without errors may contain.
     [[nodiscard]] static Shape whole_language();
-    /// Small models with names and strings from the languages to which they are translated.
+    /// Returns a shape of small models with names and strings from the languages to which they are translated.
     [[nodiscard]] static Shape with_hostile_words();
 };
 

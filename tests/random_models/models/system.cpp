@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Platforms, modules and their connections. See system.hpp.
+// Builds platforms, modules and their connections.
 #include "tests/random_models/models/system.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ void SystemBuilder::define(const std::string& text) {
     definitions_.push_back({text, random_.below(files_)});
 }
 
-/// Defines a component in place, or elsewhere with a reference; returns its name in the enclosing component.
+/// Defines a component in place, or elsewhere with a reference. Returns its name in the component that contains it.
 std::string SystemBuilder::place(Lines& out, const std::string& word, const std::string& name,
                                  const std::string& text) {
     if (!shape_.references || random_.chance(50)) {
@@ -100,11 +100,11 @@ std::string SystemBuilder::platform(const std::string& name, const std::vector<P
     return out.text();
 }
 
-/// Connects ports of the parts with each other or with the enclosing component, whose ports are returned. Each port has
-/// at most one connection (C6, M3). Broadcasts are passed on from level to level (Cn4).
+/// Connects ports of the parts with each other or with the enclosing component. Returns the ports of the enclosing
+/// component. Each port has at most one connection (C6, M3). Broadcasts are passed on from level to level (Cn4).
 std::vector<Port> SystemBuilder::connect(std::vector<Part> parts, const std::string& outer, std::vector<Link>& links) {
     std::vector<Port> ports;
-    const bool closed = shape_.varied_places && random_.chance(10);  // no event leaves the component
+    const bool closed = shape_.varied_places && random_.chance(10);  // if true, no event leaves the component
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (Port& port : parts[i].ports) {
             if (port.name.empty()) continue;  // connected already
@@ -160,7 +160,7 @@ System SystemBuilder::build() {
     for (const Part& part : controllers) components_.insert(components_.begin(), part.name);
     const std::string platform_name = names_.unused_name("Robot");
     std::vector<Link> links;
-    const std::string marker = "the platform";  // replaced by its name here once it is placed
+    const std::string marker = "the platform";  // replaced by the platform's name once it is known
     names_.begin_component();
     const std::vector<Port> ports = connect(controllers, marker, links);
     Lines module;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One module and all its components (private to the component). It decides which component provides, requires and
+// Builds one module and all its components (private to the component). Decides which component provides, requires and
 // connects what, by the rules for components and connections (language reference 2).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace robochart::random_models {
 
-/// A top-level definition, and the number of its file within the system.
+/// A top-level definition, with the number of its file within the system.
 struct Definition {
     std::string text;
     std::size_t file = 0;
@@ -31,8 +31,7 @@ public:
     System build();
 
 private:
-    /// An interface and the variables, clocks or operations that it declares; there is no interface if the name is
-    /// empty.
+    /// The variables, clocks or operations that an interface declares. If the name is empty, there is no interface.
     struct Shared {
         std::string interface = {};
         std::vector<Named> variables = {};
@@ -48,7 +47,7 @@ private:
         std::vector<Shared> needs = {};
     };
     using Callable = std::vector<Defined>;
-    /// A component from the point of view of the enclosing one.
+    /// A component from the point of view of the component that contains it.
     struct Part {
         std::string name;
         std::string definition;  ///< the component's name where it is defined in place
@@ -60,7 +59,7 @@ private:
         bool both_ways = false;
     };
 
-    // Platform and module (system.cpp)
+    // Platform and module (system.cpp).
     void define(const std::string& text);
     std::string place(Lines& out, const std::string& word, const std::string& name, const std::string& text);
     void platform_interfaces();
@@ -73,7 +72,7 @@ private:
     std::vector<Port> connect(std::vector<Part> parts, const std::string& outer, std::vector<Link>& links);
     void write(Lines& out, const std::vector<Link>& links, bool asynchronous, const std::string& outer);
 
-    // Controllers and machines (system_controllers.cpp)
+    // Controllers and machines (system_controllers.cpp).
     Part controller(Lines& module);
     Shared controller_variables(Lines& out);
     void add_instance(Lines& out, const std::string& word, std::vector<Part>& parts);
@@ -85,13 +84,14 @@ private:
     void require(Lines& out, const Shared& shared, Surroundings& around);
     std::string parameters(Signature& signature, Surroundings& around);
 
-    // Operations (system_operations.cpp)
+    // Operations (system_operations.cpp).
     Callable controller_operations(Lines& out, const Shared& variables);
     std::vector<Shared> sources(const Shared& variables);
     Shared registers();
     std::string operation(const Signature& signature, const std::string& parameters, Surroundings around,
                           const Callable& callable, const std::vector<Shared>& sources, Defined& defined);
-    /// Requires some of the operations; returns the requirements on the caller. The caller also declares their events.
+    /// Requires some of the operations, and declares their events in the caller. Returns the requirements on the
+    /// caller.
     std::vector<Shared> call_some(Lines& out, const Callable& callable, Surroundings& around);
     void declare_own(Lines& out, const Shared& need, Surroundings& around);
     std::vector<Port> operation_ports();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Controllers and machines. See system.hpp.
+// Builds controllers and machines.
 #include <fmt/format.h>
 
 #include <set>
@@ -31,7 +31,7 @@ void SystemBuilder::require(Lines& out, const Shared& shared, Surroundings& arou
     around.operations.insert(around.operations.end(), shared.operations.begin(), shared.operations.end());
 }
 
-/// Constants, variables and clocks of a machine or operation.
+/// Declares constants, variables and clocks of a machine or operation.
 void SystemBuilder::declare_data(Lines& out, Surroundings& around) {
     Expressions values(random_, shape_, types_);
     for (std::size_t i = random_.between(shape_.constants.low, shape_.constants.high); i > 0; --i) {
@@ -84,7 +84,7 @@ Port SystemBuilder::make_port(const std::string& name) {
     return {name, type, receives, both_ways, broadcast};
 }
 
-/// A typed trigger needs a variable for the received value.
+/// Declares variables for received values, which typed triggers need.
 void SystemBuilder::declare_places(Lines& out, Surroundings& around) {
     for (const Port& port : around.ports)
         if (port.type != nullptr) {
@@ -124,7 +124,7 @@ SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, 
     return {known, name, around.ports};
 }
 
-/// Variables of a controller that its machines can require.
+/// Declares variables of a controller that its machines can require.
 SystemBuilder::Shared SystemBuilder::controller_variables(Lines& out) {
     Shared shared;
     if (!shape_.shared_variables || random_.chance(60)) return shared;

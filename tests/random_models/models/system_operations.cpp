@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations that controllers define: the operations that they call, and the variables and clocks that they access in
-// their callers. See system.hpp.
+// Builds the operations that controllers define: the operations that they call, and the variables and clocks that they
+// access in their callers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ std::vector<Port> SystemBuilder::operation_ports() {
     return ports;
 }
 
-/// Variables, constants and clocks that only callers of operations provide.
+/// Declares variables, constants and clocks that only callers of operations provide.
 SystemBuilder::Shared SystemBuilder::registers() {
     Shared shared;
     shared.interface = names_.unused_name("Registers");
@@ -41,7 +41,7 @@ SystemBuilder::Shared SystemBuilder::registers() {
     return shared;
 }
 
-/// The interfaces of variables and clocks that operations may require from their callers.
+/// Returns the interfaces of variables and clocks that operations may require from their callers.
 std::vector<SystemBuilder::Shared> SystemBuilder::sources(const Shared& variables) {
     std::vector<Shared> sources;
     if (!variables.interface.empty()) sources.push_back(variables);
@@ -128,8 +128,8 @@ std::string SystemBuilder::operation(const Signature& signature, const std::stri
     return text.text();
 }
 
-/// Operations defined in a controller. Its machines, and operations that are defined later, require them through
-/// interfaces: one interface for all operations, or one for each if operations call others.
+/// Defines operations in a controller. Its machines, and operations that are defined later, require them through
+/// interfaces. There is one interface for all operations, or one for each if operations call others.
 SystemBuilder::Callable SystemBuilder::controller_operations(Lines& out, const Shared& variables) {
     Callable callable;
     const std::size_t count = random_.between(shape_.defined_operations.low, shape_.defined_operations.high);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Systems distributed over files and packages. See well_formed.hpp.
+// Distributes systems over files and packages.
 #include "tests/random_models/models/well_formed.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,8 @@ bool is_part_of_name(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Whether the text calls a function with this name. Names of models end in digits; those of toolkits do not.
+/// Returns whether the text calls a function with this name. Names of models end in digits, but names of toolkits do
+/// not.
 bool calls(const std::string& text, const std::string& function) {
     const std::string call = function + "(";
     for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1))
@@ -36,7 +37,7 @@ bool calls(const std::string& text, const std::string& function) {
     return false;
 }
 
-/// Imports of the called functions, or of their whole toolkits.
+/// Returns imports of the called functions, or of their whole toolkits.
 std::string toolkit_imports(const std::string& text, Random& random) {
     std::string out;
     std::map<std::string, bool> whole;
@@ -50,14 +51,15 @@ std::string toolkit_imports(const std::string& text, Random& random) {
     return out;
 }
 
-/// The name that starts at a position; "" if there is none.
+/// Returns the name that starts at a position, or "" if there is none.
 std::string word_at(const std::string& text, std::size_t at) {
     std::size_t end = at;
     while (end < text.size() && is_part_of_name(text[end])) ++end;
     return text.substr(at, end - at);
 }
 
-/// The name that a definition introduces; "" for modules and functions, which are never referenced in this way.
+/// Returns the name that a definition introduces, or "" for modules and functions, which are never referenced in this
+/// way.
 std::string defined_name(const std::string& text) {
     static const std::vector<std::string> heads = {"type ",        "datatype ",  "record ",
                                                    "enumeration ", "interface ", "robotic platform ",
@@ -67,7 +69,7 @@ std::string defined_name(const std::string& text) {
     return {};
 }
 
-/// Whether a reference to a type, an interface or a component starts here.
+/// Returns whether a reference to a type, an interface or a component starts at this position.
 bool refers(const std::string& text, std::size_t at) {
     const auto behind = [&](std::string_view lead) {
         return at >= lead.size() && std::string_view(text).substr(at - lead.size(), lead.size()) == lead;
@@ -103,7 +105,7 @@ private:
     std::vector<Draft> drafts_;
     std::vector<std::string> packages_;
     std::string claims_;
-    std::set<std::size_t> claimed_;  ///< files with modules that have assertions
+    std::set<std::size_t> claimed_;  ///< files that contain modules with assertions
     std::size_t claim_count_ = 0;
     std::size_t lines_ = 0;
 };

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See structure.hpp.
 #include "tests/random_models/syntax/structure.hpp"
 
 #include "frontend/syntax/print.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax tree as one text with every part in brackets: texts are equal if and only if the trees are. It shares no
-// code with the printer of RoboChart text, so each can test the other. Source places and resolved fields are omitted.
+// Writes the syntax tree as one text with every part in brackets. Two texts are equal if and only if their trees are.
+// The code shares nothing with the printer of RoboChart text, so each can test the other. Source places and resolved
+// fields are omitted.
 #pragma once
 
 #include <string>

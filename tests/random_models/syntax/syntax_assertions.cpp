@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertion files as random syntax trees, and the public functions of the syntax generator. See any_syntax.hpp.
+// Builds assertion files, and defines the public functions of the syntax generator (any_syntax.hpp).
 #include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/syntax/syntax_builder.hpp"
 
@@ -61,7 +61,7 @@ CspBlock SyntaxBuilder::csp_block() {
     return block;
 }
 
-/// Parts of the file that belong to other tools.
+/// Returns a part of the file that belongs to another tool.
 KeptPart SyntaxBuilder::kept() {
     static const std::vector<std::string> parts = {
         "label \"ready\" = (x = 1);",

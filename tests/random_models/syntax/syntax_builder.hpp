@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds random syntax trees (private to the component). The trees have the form that the parser produces: operands
-// that bind too loosely for their position are parenthesised.
+// with too low a precedence for their position are parenthesised.
 #pragma once
 
 #include <string>
@@ -15,31 +15,31 @@ class SyntaxBuilder {
 public:
     explicit SyntaxBuilder(Random& random) : random_(random) {}
 
-    // Names and types (syntax_types.cpp)
+    // Names and types (syntax_types.cpp).
     std::string name();
     frontend::QualifiedName simple();
     frontend::QualifiedName qualified();
     frontend::TypeExprPtr type(std::size_t depth);
     frontend::VariablePtr variable(frontend::DeclKind kind, std::size_t depth);
 
-    // Expressions (syntax_expressions.cpp)
+    // Expressions (syntax_expressions.cpp).
     frontend::ExprPtr expression(std::size_t depth);
     frontend::ExprPtr at(int level, std::size_t depth);
 
-    // Statements (syntax_statements.cpp)
+    // Statements (syntax_statements.cpp).
     frontend::StmtPtr statement(std::size_t depth);
     std::unique_ptr<frontend::Communication> communication(std::size_t depth, bool trigger);
 
-    // Declarations (syntax_declarations.cpp)
+    // Declarations (syntax_declarations.cpp).
     std::unique_ptr<frontend::Declaration> declaration();
     frontend::Import import();
 
-    // Assertions (syntax_assertions.cpp)
+    // Assertions (syntax_assertions.cpp).
     frontend::Assertion assertion();
     frontend::CspBlock csp_block();
     frontend::KeptPart kept();
 
-    // Probabilistic assertions (syntax_probability.cpp)
+    // Probabilistic assertions (syntax_probability.cpp).
     frontend::ProbabilisticAssertion probabilistic_assertion();
     frontend::ProbabilisticDefinition probabilistic_definition();
 

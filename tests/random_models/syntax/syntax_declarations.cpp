@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations of random syntax trees. See syntax_builder.hpp.
+// Builds the declarations of random syntax trees.
 #include "tests/random_models/syntax/syntax_builder.hpp"
 
 namespace robochart::random_models {
@@ -84,7 +84,7 @@ void SyntaxBuilder::context(Context& context, bool clauses) {
 
 // ---------------------------------------------------------------- machines
 
-/// A trigger, the old form of an empty trigger, or a probability.
+/// Adds a trigger, the old form of an empty trigger, or a probability.
 void SyntaxBuilder::trigger(Transition& transition) {
     const std::size_t way = random_.below(6);
     if (way < 3) transition.trigger = communication(depth_of_expressions, true);
@@ -132,7 +132,7 @@ std::unique_ptr<Machine> SyntaxBuilder::machine(DeclKind kind) {
     auto result = std::make_unique<Machine>(kind);
     result->name = name();
     result->has_body = kind == DeclKind::state_machine;
-    if (random_.chance(5)) return result;  // empty
+    if (random_.chance(5)) return result;  // sometimes empty
     context(*result, true);
     if (kind == DeclKind::operation) {
         parameters(result->parameters);
@@ -176,7 +176,7 @@ std::unique_ptr<Connection> SyntaxBuilder::connection() {
 std::unique_ptr<Component> SyntaxBuilder::controller() {
     auto result = std::make_unique<Component>(DeclKind::controller);
     result->name = name();
-    if (random_.chance(5)) return result;  // empty
+    if (random_.chance(5)) return result;  // sometimes empty
     context(*result, true);
     for (std::size_t i = random_.below(4); i > 0; --i) {
         const std::size_t way = random_.below(4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of random syntax trees. See syntax_builder.hpp.
+// Builds the expressions of random syntax trees.
 #include <array>
 
 #include "tests/random_models/syntax/syntax_builder.hpp"
@@ -10,7 +10,7 @@ using namespace frontend;
 
 namespace {
 
-// Levels of the grammar (language reference 1.1), loosest first.
+// Levels of the grammar (language reference 1.1), lowest precedence first.
 constexpr int quantifier_level = -1;
 constexpr int not_level = 4;
 constexpr int compare_level = 5;
@@ -68,7 +68,7 @@ ExprPtr SyntaxBuilder::expression(std::size_t depth) {
     return at(quantifier_level, depth);
 }
 
-/// An expression that binds at least as tightly as `level`, in parentheses if necessary.
+/// Returns an expression with a precedence of at least `level`, in parentheses if necessary.
 ExprPtr SyntaxBuilder::at(int level, std::size_t depth) {
     Leveled made = any(depth);
     if (made.level >= level && !random_.chance(5)) return std::move(made.expr);
@@ -125,7 +125,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::atom(std::size_t) {
     return {std::move(expr), atom_level};
 }
 
-/// Operators between operands.
+/// Returns operators with their operands.
 SyntaxBuilder::Leveled SyntaxBuilder::operation(std::size_t depth) {
     constexpr std::size_t operators = 17;
     const std::size_t way = random_.below(operators + 6);
@@ -163,7 +163,7 @@ void SyntaxBuilder::typed_bindings(Expr& expr, std::size_t depth) {
     expr.args.push_back(random_.chance(50) ? expression(depth) : nullptr);
 }
 
-/// Forms that bind names.
+/// Returns a form that binds names.
 SyntaxBuilder::Leveled SyntaxBuilder::binder(std::size_t depth) {
     constexpr ExprKind kinds[] = {ExprKind::forall, ExprKind::exists, ExprKind::exists_unique,    ExprKind::lambda,
                                   ExprKind::the,    ExprKind::let,    ExprKind::set_comprehension};
@@ -189,7 +189,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::binder(std::size_t depth) {
     return {std::move(expr), comprehension ? atom_level : quantifier_level};
 }
 
-/// `[| a, b; c, d |]`
+/// Returns a matrix such as `[| a, b; c, d |]`.
 ExprPtr SyntaxBuilder::matrix(std::size_t depth) {
     ExprPtr expr = make(ExprKind::matrix);
     expr->columns = random_.between(1, 3);
@@ -249,7 +249,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::bracketed(std::size_t depth) {
     }
 }
 
-/// The function is a name or another atom.
+/// Returns a call of a function, which is a name or another atom.
 ExprPtr SyntaxBuilder::call(std::size_t depth) {
     ExprPtr expr = make(ExprKind::call);
     ExprPtr function = random_.chance(70) ? nullptr : at(atom_level, depth);
@@ -275,7 +275,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::selection(std::size_t depth) {
     return {std::move(expr), select_level};
 }
 
-/// An assignable expression: a name with accesses to its parts.
+/// Returns an assignable expression: a name with accesses to its parts.
 ExprPtr SyntaxBuilder::target(std::size_t depth) {
     ExprPtr expr = make(ExprKind::name);
     expr->name = qualified();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilistic assertions as random syntax trees. See syntax_builder.hpp.
+// Builds probabilistic assertions.
 #include "frontend/syntax/operators.hpp"
 #include "frontend/syntax/print.hpp"
 #include "tests/random_models/syntax/syntax_builder.hpp"
@@ -31,7 +31,7 @@ ExprPtr SyntaxBuilder::marked(const char* sign) {
     return expr;
 }
 
-/// A bound on the steps of a path: an interval or a comparison with an atom.
+/// Returns a bound on the steps of a path: an interval, or a comparison with an atom.
 ExprPtr SyntaxBuilder::step_bound(std::string& relation) {
     static const std::vector<std::string> relations = {"<=", ">=", "<", ">"};
     if (random_.chance(50)) return nullptr;
@@ -58,7 +58,7 @@ ExprPtr SyntaxBuilder::path(std::size_t depth) {
     } else {
         ExprPtr body = expression(depth);
         const char first = to_text(*body).front();
-        if (first == '[' || first == '<') {  // it would be parsed as a bound
+        if (first == '[' || first == '<') {  // it would be parsed as a bound on steps
             ExprPtr group = expr_of(ExprKind::parenthesised);
             group->args.push_back(std::move(body));
             body = std::move(group);
@@ -106,7 +106,7 @@ ExprPtr SyntaxBuilder::quantitative(std::size_t depth) {
     return expr;
 }
 
-/// A form that occurs only in probabilistic assertions.
+/// Returns a form that occurs only in probabilistic assertions.
 SyntaxBuilder::Leveled SyntaxBuilder::probabilistic(std::size_t depth) {
     static const std::vector<std::string> events = {"in", "out", "in.val", "out.val"};
     static const std::vector<const char*> signs = {"$", "$$", "#", "@", "&"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements of random syntax trees. See syntax_builder.hpp.
+// Builds the statements of random syntax trees.
 #include "tests/random_models/syntax/syntax_builder.hpp"
 
 namespace robochart::random_models {
@@ -32,7 +32,7 @@ StmtPtr SyntaxBuilder::timed(std::size_t depth) {
     return deadline;
 }
 
-/// Nested statements.
+/// Returns a statement that contains other statements.
 StmtPtr SyntaxBuilder::nested(StmtKind kind, std::size_t depth) {
     StmtPtr result = make(kind);
     result->body.push_back(statement(depth));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and types of random syntax trees. See syntax_builder.hpp.
+// Builds the names and types of random syntax trees.
 #include <utility>
 
 #include "frontend/syntax/lexer.hpp"
@@ -9,7 +9,7 @@ namespace robochart::random_models {
 
 using namespace frontend;
 
-/// Mostly plain names; sometimes a reserved word, or a word that is reserved only in some positions.
+/// Returns a plain name in most cases, sometimes a reserved word, or a word that is reserved only in some positions.
 std::string SyntaxBuilder::name() {
     static const std::vector<std::string> plain = {"a",   "b",   "x",     "y", "speed", "Move",     "S0", "_private",
                                                    "v_1", "nat", "Wheel", "t", "N9",    "position", "e"};

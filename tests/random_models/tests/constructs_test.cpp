@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generators produce every construct in the table of constructs, alone and in every composition in the table. The
-// test fails for a new construct of the table that the generators do not produce.
+// Tests that the generators produce every construct in the table of constructs, alone and in every composition in the
+// table. If a new construct of the table is not generated, the test fails.
 #include "tests/frontend/syntax/constructs.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ void add_rows(const std::vector<table::Row>& rows, const table::Frame& frame, co
     }
 }
 
-/// The features of the rows for `.rct` files.
+/// Returns the features of the rows for `.rct` files.
 Features of_models() {
     Features features;
     add_rows(table::atoms(), table::as_guard, "t.rct", features);
@@ -57,7 +57,7 @@ TEST(Constructs, AnyAssertionsReachTheTable) {
     EXPECT_EQ(lacking(expected.compositions, made.compositions), "");
 }
 
-/// Features in the table that no model without errors has.
+/// Returns features in the table that no model without errors has.
 const std::map<std::string, std::string>& never_well_formed() {
     static const std::map<std::string, std::string> reasons = {
         {"controller/0", "C1: at least one machine"},
@@ -69,7 +69,7 @@ const std::map<std::string, std::string>& never_well_formed() {
     return reasons;
 }
 
-/// Whether a composition is one of declarations, of which all must be generated. Expressions have too many
+/// Returns whether a composition is one of declarations. All of these must be generated. Expressions have too many
 /// compositions.
 bool declares(const std::string& composition) {
     static const std::set<std::string> owners = {"clauses",   "controller", "enumeration", "function-declaration",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax generator produces every construct of the grammar, with and without its optional parts.
+// Tests that the syntax generator produces every construct of the grammar, with and without its optional parts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t tried = 400;
 
-/// The frequency of each word in the output of `structure_text`; names are in backquotes and not counted.
+/// Returns the frequency of each word in the output of `structure_text`. Names are in backquotes and are not counted.
 std::map<std::string, std::size_t> words_of(const std::string& text) {
     static const std::regex quoted("`[^`]*`|«[^»]*»");
     static const std::regex word("[A-Za-z0-9-]+");
@@ -194,7 +194,7 @@ TEST(Coverage, EveryReservedWordIsUsedAsAName) {
         EXPECT_THAT(all, ::testing::HasSubstr("^" + std::string(word)));
 }
 
-/// The reference implementation's first numbers for the seed 1234567 (Vigna, splitmix64.c).
+/// The expected numbers are the reference implementation's first numbers for the seed 1234567 (Vigna, splitmix64.c).
 TEST(Coverage, RandomNumbersAreThoseOfSplitMix64) {
     Random random(1234567);
     EXPECT_EQ(random.next(), 6457827717110365317U);

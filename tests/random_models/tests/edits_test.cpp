@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random models and random edits of them: with cached answers of earlier runs, all answers equal those of a run without
-// a cache. ROBOCHART_SEEDS=N tries N models with ten edits each.
+// Tests random models and random edits of them. With cached answers of earlier runs, all answers must equal those of a
+// run without a cache. ROBOCHART_SEEDS=N tries N models with ten edits each.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace robochart::random_models {
 namespace {
 
-/// The complete answers to a script's assertions, one per line, and the number of cached ones.
+/// The complete answers to a script's assertions, one per line, and the number of answers from the cache.
 struct Answers {
     std::vector<std::string> lines;
     std::size_t known = 0;

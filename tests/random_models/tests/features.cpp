@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See features.hpp.
 #include "features.hpp"
 
 #include <string_view>
@@ -9,7 +8,7 @@ namespace robochart::random_models {
 
 namespace {
 
-/// `(head mark mark (child) ...)`; for names only whether they are qualified.
+/// A node `(head mark mark (child) ...)`. For a name, it stores only whether the name is qualified.
 struct Node {
     std::string head;
     std::set<std::string> marks;
@@ -43,7 +42,7 @@ public:
     }
 
 private:
-    /// A word, or the relevant property of a name or number; "" for plain names, which are arbitrary.
+    /// Returns a word, or the relevant property of a name or number. Returns "" for plain names, which are arbitrary.
     std::string word() {
         if (text_.substr(at_).starts_with("`")) return quoted("`").find("::") != std::string_view::npos ? "A::B" : "";
         if (text_.substr(at_).starts_with("«")) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language features that a text uses, derived from the structure of its tree, to measure the coverage of the
+// Derives the language features that a text uses from the structure of its tree, to measure the coverage of the
 // generators.
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace robochart::random_models {
 
-/// Features of trees, as words.
+/// The features of trees, as words.
 struct Features {
-    /// Kinds of nodes, with every mark that they may have (`event: broadcast`), with and without parts (`literal/+`,
+    /// Kinds of nodes with every mark that they may have (`event: broadcast`), with and without parts (`literal/+`,
     /// `set/0` for `{}`), and with their missing parts (`exists -+` without `|`).
     std::set<std::string> constructs;
     /// Pairs of a kind and a kind directly inside it (`wait > range`), and marks that occur together.
@@ -20,7 +20,7 @@ struct Features {
 /// Adds the features of an output of `structure_text`.
 void add_features(const std::string& structure, Features& features);
 
-/// The words of the first set that are missing in the second, one per line.
+/// Returns the words of the first set that are missing in the second, one per line.
 [[nodiscard]] std::string lacking(const std::set<std::string>& expected, const std::set<std::string>& found);
 
 }  // namespace robochart::random_models

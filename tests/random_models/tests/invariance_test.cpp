@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of files and declarations and the formatting do not change the results, and damaged texts do not cause
-// crashes.
+// Tests that the order of files and declarations and the formatting do not change the results, and that damaged texts
+// do not cause crashes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace robochart::random_models {
 namespace {
 
-/// Codes and messages of all findings, sorted: without places.
+/// Returns codes and messages of all findings, sorted and without places.
 std::vector<std::string> messages(const Loaded& loaded) {
     std::vector<std::string> result;
     for (const auto& finding : loaded.findings.sorted_findings())
@@ -31,7 +31,7 @@ void shuffle(Items& items, Random& random) {
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
 }
 
-/// The same project with its files, and the declarations in them, in another order.
+/// Returns the same project with its files, and the declarations in them, in another order.
 Project reordered(const Project& project, Random& random) {
     const auto read = parse(project);
     Project result;
@@ -119,7 +119,8 @@ std::string damaged(const Text& file, Random& random) {
     return out;
 }
 
-/// For any damage the front end must not crash or hang, and must report findings if the text is no longer a model.
+/// Whatever the damage is, the front end must not crash or hang, and must report findings if the text is no longer a
+/// model.
 TEST(Invariance, DamagedTextsAreReadToTheEnd) {
     for (const std::uint64_t seed : seeds(300)) {
         Random random(seed);

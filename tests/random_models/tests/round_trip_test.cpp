@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printed text parses to an equal tree, for random syntax and random models.
+// Tests that printed text parses to an equal tree, for random syntax and random models.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -42,7 +42,7 @@ TEST(RoundTrip, AnyAssertionsReadBackAsAnEqualTree) {
     }
 }
 
-/// The project after parsing and printing.
+/// Returns the project after parsing and printing.
 Project printed(const Project& project) {
     const auto read = parse(project);
     Project result;
@@ -51,7 +51,7 @@ Project printed(const Project& project) {
     return result;
 }
 
-/// The resolved model without places, which printing changes.
+/// Returns the resolved model without places, which printing changes.
 std::string resolved(const Project& project) {
     const auto loaded = load(project);
     static const std::regex place(R"(part\d+\.rct:\d+)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number of seeds for each property: few by default, ROBOCHART_SEEDS=N for a long run by hand.
+// Selects the seeds for each property: few by default, or more with ROBOCHART_SEEDS=N for a long run by hand.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,13 @@
 
 namespace robochart::random_models {
 
-/// Whether ROBOCHART_SEEDS requests a long run, which omits nothing.
+/// Returns whether ROBOCHART_SEEDS requests a long run, which omits nothing.
 inline bool is_long_run() {
     return std::getenv("ROBOCHART_SEEDS") != nullptr;
 }
 
-/// `count` seeds from `first` on (fewer under AddressSanitizer), or ROBOCHART_SEEDS seeds from ROBOCHART_FIRST_SEED on.
+/// Returns `count` seeds from `first` on (fewer under AddressSanitizer), or ROBOCHART_SEEDS seeds from
+/// ROBOCHART_FIRST_SEED on.
 inline std::vector<std::uint64_t> seeds(std::uint64_t count, std::uint64_t first = 0) {
     const char* setting = std::getenv("ROBOCHART_SEEDS");
     const char* from = std::getenv("ROBOCHART_FIRST_SEED");

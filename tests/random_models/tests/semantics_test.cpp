@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random models in the components after the front end: each component either accepts a model or rejects it with a named
-// rule.
+// Tests random models in the components after the front end. Each component either accepts a model or rejects it with a
+// named rule.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ struct Tally {
     std::map<std::string, std::size_t> refusals;  ///< number of models by the code that rejects them
 };
 
-/// The script printed for FDR parses to the script that we check, and our type checker, which follows FDR's rules,
-/// accepts it.
+/// Checks that the script printed for FDR parses to the script that the checker decides, and that the type checker,
+/// which follows FDR's rules, accepts it.
 void expect_script_reads_back(Loaded& loaded, const cspm::Script& script, std::uint64_t seed) {
     const std::string text = cspm::print(script);
     diagnostics::Diagnostics findings;
@@ -42,7 +42,7 @@ void expect_script_reads_back(Loaded& loaded, const cspm::Script& script, std::u
     ASSERT_TRUE(findings.ok()) << "seed " << seed << "\n" << diagnostics::render_text(loaded.sources, findings);
 }
 
-/// Code and message of a rejection, without the names of the model.
+/// Returns code and message of a rejection, without the names of the model.
 std::string cause(const diagnostics::Diagnostic& finding) {
     std::string text = std::string(finding.rule->code);
     const bool construct = !finding.arguments.empty() && finding.rule->code == std::string_view("RC-S01");
@@ -98,7 +98,7 @@ TEST(Semantics, TakesTheTimedCore) {
     EXPECT_GE(tally.emitted * 10, tally.models * 9);
 }
 
-/// Whether a machine receives a number of type nat or int into a variable of reals.
+/// Returns whether a machine receives a number of type nat or int into a variable of reals.
 bool widens_input(const ir::System& system, const ir::Machine& machine) {
     const auto widens = [&](const ir::Communication& input) {
         if (input.kind != ir::CommKind::input || !input.variable.is_valid()) return false;
@@ -113,7 +113,7 @@ bool widens_input(const ir::System& system, const ir::Machine& machine) {
     });
 }
 
-/// A variable of reals receives a whole number v as v times the scale, which matters only if decimals occur.
+/// A variable of reals receives a whole number v as v times the scale. This matters only if decimals occur.
 TEST(Semantics, ReceivesWholeNumbersAsRealsInModelsWithDecimals) {
     Shape shape = Shape::timed_core();
     shape.data.reals = true;
@@ -140,7 +140,7 @@ TEST(Semantics, TakesOrRefusesTheWholeLanguageByName) {
     pass_all_through(Shape::whole_language(), csp_emit::Time::timed, 10, 2);
 }
 
-/// Broadcast events have no published semantics; all other constructs must be accepted.
+/// Broadcast events have no published semantics. All other constructs must be accepted.
 TEST(Semantics, TakesTheLanguageWithoutBroadcast) {
     Shape shape = Shape::whole_language();
     shape.broadcast = false;

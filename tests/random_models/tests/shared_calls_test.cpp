@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines of random models with shared definitions of operations, compared with the same machines with every call
-// inlined: they refine each other in the failures-divergences model (semantics 3.8).
+// Tests machines of random models with shared definitions of operations. They are compared with the same machines with
+// every call inlined: both refine each other in the failures-divergences model (semantics 3.8).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ bool inner(const std::string& channel) {
            starts("get_") || starts("setL_");
 }
 
-/// `outer`: the qualified channels of the enclosing modules.
+/// Collects the machines. `outer` contains the qualified channels of the enclosing modules.
 void collect(const std::vector<cspm::DeclPtr>& decls, const std::string& path, std::vector<std::string> outer,
              std::vector<Machine>& machines) {
     const std::string prefix = path.empty() ? "" : path + "::";
@@ -58,7 +58,7 @@ std::set<std::string> values_at_top(const cspm::Script& script) {
     return result;
 }
 
-/// Refinement in both directions between `D__` of the machine and its copy in the module `inline__`.
+/// Returns refinements in both directions between `D__` of the machine and its copy in the module `inline__`.
 std::vector<cspm::DeclPtr> claims(const Machine& machine) {
     b::Exprs arguments{b::number(0)};
     for (std::size_t i = 1; i < machine.parameters.size(); ++i) arguments.push_back(b::name(machine.parameters[i]));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rule that is violated on purpose in a random well-formed model is reported, and no other finding is.
+// Tests that a rule that is violated on purpose in a random well-formed model is reported, and that no other finding
+// is.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random well-formed models load without an error for every seed and shape.
+// Tests that random well-formed models load without an error for every seed and shape.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(WellFormed, HostileWordsMakeNoErrors) {
     expect_no_errors(Shape::with_hostile_words(), 300);
 }
 
-/// The structures of many models of a shape.
+/// Returns the structures of many models of a shape.
 std::string syntax_of(const Shape& shape) {
     std::string all;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Classes of values, compared with all values of a fine grid: the classes are exactly the combinations of answers that
-// some value gives to the conditions.
+// Compares classes of values with all values of a fine grid. The classes must be exactly the combinations of answers
+// that some value gives to the conditions.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::optional<ClassModel> classes_of(const std::string& text) {
     return classify_data(lowered->system, instantiation).model;
 }
 
-/// A machine that reads a value of this type into `x` and goes on by the guards.
+/// Returns a machine that reads a value of this type into `x` and takes transitions with these guards.
 std::string reading(const std::string& type, const std::vector<std::string>& guards) {
     std::string text = fmt::format(
         "package p\nimport sequence_toolkit::*\nimport set_toolkit::*\nimport relation_toolkit::*\n"
@@ -43,7 +43,7 @@ std::string reading(const std::string& type, const std::vector<std::string>& gua
     return text + "}\n";
 }
 
-/// The data of the only flow class.
+/// Returns the data of the only flow class.
 ReplacedData only_data(const std::string& text) {
     const auto model = classes_of(text);
     if (!model || model->data.size() != 1) {
@@ -78,7 +78,7 @@ bool related(int relation, double left, double right) {
     }
 }
 
-/// `p * x1 + q * x2 REL c`, with a small whole c and factors of -1, 0 and 1.
+/// A condition `p * x1 + q * x2 REL c`, with a small whole c and with factors of -1, 0 and 1.
 struct Comparison {
     int p = 0, q = 0, c = 0, relation = 0;
 
@@ -116,7 +116,7 @@ TEST(Classes, OfPairsOfRealsAreTheCombinationsThatExist) {
     }
 }
 
-/// Findings about a guard of the class model have the place of the condition in the model.
+/// Findings about a guard of the model with classes have the place of the condition in the original model.
 TEST(Classes, ARewrittenGuardKeepsThePlaceOfItsCondition) {
     const auto lowered = samples::lower_text(reading("real", {"x < 19.5", "x >= 19.5 /\\ x < 21.25"}));
     diagnostics::Diagnostics found;
@@ -145,7 +145,7 @@ TEST(Classes, OfOneNumberAreTheIntervalsBetweenThresholds) {
     EXPECT_EQ(only_data(reading("int", {"x in [1, 3]"})).classes, 2U);
 }
 
-/// One window of at most five places, compared with a number.
+/// A condition that compares one window of at most five places with a number.
 struct WindowTest {
     int first = 1, last = 1, relation = 0;
     double number = 0;
@@ -153,7 +153,7 @@ struct WindowTest {
     [[nodiscard]] std::string text() const {
         return fmt::format("min(ran(extract([{}, {}], x))) {} {:.1f}", first, last, relations[relation], number);
     }
-    /// 1 or 0; -1 if the sequence has no place in the window.
+    /// Returns 1 or 0, or -1 if the sequence has no place in the window.
     [[nodiscard]] int answer(const std::vector<double>& sequence) const {
         std::optional<double> least;
         for (int place = first; place <= last && place <= static_cast<int>(sequence.size()); ++place) {
@@ -211,7 +211,7 @@ TEST(Classes, OfValuesThatTheModelWritesAreTheValuesThatOccur) {
     EXPECT_EQ(data.classes, 3U) << "the default value 0, 1.5 and -1.5";
 }
 
-/// Values that the model computes with keep their carriers.
+/// Values with which the model computes keep their carriers.
 TEST(Classes, AreNotMadeWhereValuesAreNeeded) {
     const auto data_of = [](const std::string& text) {
         const auto model = classes_of(text);
@@ -260,12 +260,13 @@ TEST(Classes, AGuardThatIsUndefinedIsNotItsNegation) {
 
 // ---------------------------------------------------------------- remainders
 
-/// The remainder of a division by a positive number: at least 0 and less than the divisor (semantics/evaluate).
+/// Returns the remainder of a division by a positive number, which is at least 0 and less than the divisor
+/// (semantics/evaluate).
 double remainder_of(double dividend, double divisor) {
     return dividend - divisor * std::floor(dividend / divisor);
 }
 
-/// `(p * x + q) % c REL r`
+/// A condition `(p * x + q) % c REL r`.
 struct RemainderTest {
     int p = 1, q = 0, c = 1, relation = 0, r = 0;
 
@@ -331,7 +332,7 @@ TEST(Classes, OfConditionsWithFunctionsAreThoseOfTheirBodies) {
 
 // ---------------------------------------------------------------- the solver
 
-/// The number of classes of the value that the guards read; 0: it keeps its carrier.
+/// Returns the number of classes of the value that the guards read, or 0 if it keeps its carrier.
 std::size_t count_classes(const std::string& type, const std::vector<std::string>& guards) {
     const auto model = classes_of(reading(type, guards));
     return model ? model->data.front().classes : 0;
@@ -356,13 +357,14 @@ TEST_F(SolvedClasses, OfPolynomialsAreTheCombinationsThatExist) {
     EXPECT_EQ(count_classes("real", {"(if x * x < 1.0 then x else 1.0 end) > 0.5"}), 2U);
 }
 
-/// A disc, a half plane that meets it, and one that does not.
+/// The first conditions are a disc, a half plane that intersects it, and one that does not.
 TEST_F(SolvedClasses, OfPairsAreTheRegionsOfThePlane) {
     EXPECT_EQ(count_classes("real * real", {"x[1] * x[1] + x[2] * x[2] < 1.0", "x[1] > 0.0", "x[2] > 2.0"}), 6U);
     EXPECT_EQ(count_classes("real * real", {"x[1] * x[2] > 0.0", "x[1] > 0.0", "x[2] > 0.0"}), 5U);
 }
 
-/// More numbers than the linear conditions can have alone, and truths beside numbers.
+/// Records may have more numbers than linear conditions alone can read. They may also contain truth values next to
+/// numbers.
 TEST_F(SolvedClasses, OfRecordsReadNumbersAndTruths) {
     EXPECT_EQ(count_classes("real * real * real * real * real * real",
                             {"x[1] + x[2] + x[3] + x[4] + x[5] > 10.0", "x[6] < 0.0"}),
@@ -370,13 +372,13 @@ TEST_F(SolvedClasses, OfRecordsReadNumbersAndTruths) {
     EXPECT_EQ(count_classes("boolean * real", {"x[1] /\\ x[2] > 1.0", "x[2] > 2.0"}), 4U);
 }
 
-/// Values of a class need a member that the evaluator can compute with.
+/// Each class needs a member with which the evaluator can compute.
 TEST_F(SolvedClasses, AreNotMadeWithoutDecimalsOrWhereConditionsMayBeUndefined) {
     EXPECT_EQ(count_classes("real", {"x * x == 2.0"}), 0U) << "irrational";
     EXPECT_EQ(count_classes("real", {"1.0 / x > 2.0"}), 0U) << "a division by zero";
 }
 
-/// `a * x^2 + b * x + c < 0`
+/// A condition `a * x^2 + b * x + c < 0`.
 struct Parabola {
     int a = 0, b = 0, c = 0;
 
@@ -396,7 +398,7 @@ std::vector<bool> answers_at(const std::vector<Parabola>& parabolas, double x) {
     return result;
 }
 
-/// The answers change at roots only. A combination that exists at roots alone may need an irrational number.
+/// The answers change only at roots. If a combination exists only at roots, its only members may be irrational.
 TEST_F(SolvedClasses, OfRandomParabolasAreThoseAtAndBetweenRoots) {
     Random random(36);
     for (std::size_t round = 0; round < tests::rounds(60); ++round) {
@@ -421,7 +423,8 @@ TEST_F(SolvedClasses, OfRandomParabolasAreThoseAtAndBetweenRoots) {
 
 // ---------------------------------------------------------------- relations
 
-/// A machine that reads two values of this type into `x` and `y` and goes on by the guards, with more transitions.
+/// Returns a machine that reads two values of this type into `x` and `y`. It has transitions with these guards, and
+/// more transitions.
 std::string relating(const std::string& type, const std::vector<std::string>& guards, const std::string& more = "") {
     std::string text = fmt::format(
         "package p\nstm S {{\n event e : {0}\n event f : {0}\n event out : {0}\n event go\n var x : {0}, y : {0}\n"
@@ -434,7 +437,7 @@ std::string relating(const std::string& type, const std::vector<std::string>& gu
     return text + "}\n";
 }
 
-/// "term, classes, conditions" for the related data; "": there are none.
+/// Returns "term, classes, conditions" for the related data, or "" if there are none.
 std::string relation_of(const std::string& text) {
     const auto model = classes_of(text);
     if (!model) return "";
@@ -454,7 +457,7 @@ TEST(Relations, AreConditionsOnOneLinearTerm) {
     EXPECT_EQ(relation_of(relating("int", {"x - y in {0, 2}"})), "x - y, 2, 1");
 }
 
-/// Inputs reach every class only if the term takes every value, whatever the values of the other variables are.
+/// Inputs reach every class only if the term takes every value, whatever values the other variables have.
 TEST(Relations, AreNotMadeWhereAnInputMayNotReachEveryClass) {
     EXPECT_EQ(relation_of(relating("nat", {"x > y"})), "") << "no x is less than y = 0";
     EXPECT_EQ(relation_of(relating("int", {"x > 2 * y"})), "") << "2 * y is even";
@@ -481,7 +484,7 @@ TEST(Relations, FollowAssignmentsThatTheTermDetermines) {
     EXPECT_EQ(with("out ! (x + 1)"), "");
 }
 
-/// Guards of triggers read the new value of their variable, so that the class in the event is the new one.
+/// Guards of triggers read the new value of their variable, so the class in the event is the class of the new value.
 TEST(Relations, OfGuardsReadTheReceivedClass) {
     const auto model = classes_of(relating("int", {"x > y"},
                                            " transition b { from A to k trigger e ? x condition x > y }\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of value models: every region of a fine grid has a value, and every region with several points has two.
+// Tests the values of value models. Every region of a fine grid contains a value, and every region with several points
+// contains two.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ std::optional<ValueModel> values_of(const std::string& type, const std::string& 
     return value_model(lowered->system, instantiation, {MachineId{0}}, cuts);
 }
 
-/// The signs of the cuts at a value. `unit`: units of a number of the value.
+/// Returns the signs of the cuts at a value. `unit` is the number of units of one number of the value.
 std::vector<int> signs_at(const std::vector<Cut>& cuts, const std::vector<std::int64_t>& value, std::int64_t unit) {
     std::vector<int> result;
     for (const Cut& cut : cuts) {
@@ -71,7 +72,7 @@ TEST(ValueModels, EveryRegionHasTwoValues) {
     }
 }
 
-/// The sign of a cut at a sequence; 2 if the sequence has no place in the window.
+/// Returns the sign of a cut at a sequence, or 2 if the sequence has no place in the window.
 int sign_at(const Cut& cut, const std::vector<std::int64_t>& sequence) {
     const auto length = static_cast<std::int64_t>(sequence.size());
     std::vector<std::int64_t> numbers{length};
@@ -100,7 +101,8 @@ std::optional<ValueModel> sequence_values(const std::string& type, const std::st
     return value_model(lowered->system, instantiation, {MachineId{0}}, cuts);
 }
 
-/// Every sequence of up to six items from a grid is in the region of two explored sequences, or is the empty one.
+/// Checks sequences of up to six items from a grid. Each one is in the region of two explored sequences, or is the
+/// empty sequence.
 void expect_regions_of_sequences(const ValueModel& model, bool whole) {
     ASSERT_EQ(model.types.size(), 1U);
     const auto signs = [&](const std::vector<std::int64_t>& sequence) {
@@ -116,7 +118,7 @@ void expect_regions_of_sequences(const ValueModel& model, bool whole) {
         for (std::int64_t& item : sequence)
             item = whole ? static_cast<std::int64_t>(random() % 7)
                          : static_cast<std::int64_t>(random() % 9) * model.scale / 4;
-        // A sequence of thresholds may be the only one of its region.
+        // A sequence of thresholds may be the only sequence of its region.
         const bool alone = std::ranges::all_of(sequence, [&](std::int64_t item) {
             return std::ranges::any_of(model.cuts, [&](const Cut& cut) { return cut.window && cut.constant == -item; });
         });
@@ -150,7 +152,7 @@ TEST(ValueModels, WindowsOfTheCodeDivideSequences) {
     expect_regions_of_sequences(*second, false);
 }
 
-/// Code cannot build other sequences than the empty one, and single items are read in no window.
+/// Code can build only the empty sequence, and no window reads single items.
 TEST(ValueModels, OtherUsesOfSequencesHaveNone) {
     EXPECT_FALSE(sequence_values("real", "x[2] < 0.5"));
     EXPECT_FALSE(sequence_values("real", "x == <1.0>"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arithmetic and expressions (semantics 3.13; FDR2 manual A.1.2 for `/` and `%`).
+// Tests arithmetic and expressions (semantics 3.13; FDR2 manual A.1.2 for `/` and `%`).
 #include "semantics/evaluate/evaluate.hpp"
 
 #include <gtest/gtest.h>
@@ -91,16 +91,16 @@ TEST_F(Evaluate, RealsAreUnitsOfTheScale) {
 }
 
 TEST_F(Evaluate, RealResultsRoundDownToAUnit) {
-    // 0.1 * 0.2 = 0.02, rounded down to 0; -0.7 * 0.1 = -0.07, rounded down to -0.1, which is not in the carrier, so
-    // the result is -0.7.
+    // 0.1 * 0.2 = 0.02 is rounded down to 0. -0.7 * 0.1 = -0.07 is rounded down to -0.1, which is not in the carrier,
+    // so the result is -0.7.
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(1, 1), decimal(2, 1)), 0);
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(-7, 1), decimal(1, 1)), -7);
     inst_.real.insert(inst_.real.begin() + 3, -1);
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(-7, 1), decimal(1, 1)), -1);
 }
 
-/// The greatest q with q * divisor <= dividend (divisor > 0), found by search: an oracle that shares no code with the
-/// implementation.
+/// Returns the greatest q with q * divisor <= dividend (divisor > 0), found by search. This oracle shares no code with
+/// the implementation.
 std::int64_t greatest_below(std::int64_t dividend, std::int64_t divisor) {
     std::int64_t q = 0;
     while (q * divisor > dividend) --q;

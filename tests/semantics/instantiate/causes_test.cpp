@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reasons why a model is too large, too short or undefined, in terms of the model.
+// Tests the reasons why a model is too large, too short or undefined. They are given in terms of the model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

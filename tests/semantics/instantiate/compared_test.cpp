@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every comparison can be true and false: carriers extend beyond the values that are compared.
+// Tests that every comparison can be true and false, because carriers extend beyond the values that are compared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Numbers = std::vector<std::int64_t>;
 
-/// The instantiation for a machine with these declarations and this guard.
+/// Returns the instantiation for a machine with these declarations and this guard.
 Instantiation of_guard(const std::string& guard, const InstantiationOptions& options = {},
                        const std::string& declarations = "", const std::string& assertions = "") {
     const auto lowered = samples::lower_text(
@@ -34,7 +34,7 @@ TEST(Compared, WholeNumbersHaveOneOnEitherSide) {
     EXPECT_EQ(of_guard("n in [1, 4]").nat.back(), 5);
 }
 
-/// The counter with the guard `guard` and the assignment `assignment`.
+/// Returns the instantiation for a machine with this guard and this assignment.
 Instantiation of_counter(const std::string& guard, const std::string& assignment) {
     return of_guard(guard + " action " + assignment);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants that are only durations do not extend a carrier.
+// Tests that constants that are only durations do not extend a carrier.
 #include <gtest/gtest.h>
 
 #include "semantics/instantiate/instantiate.hpp"
@@ -9,7 +9,7 @@
 namespace robochart::ir {
 namespace {
 
-/// The greatest number of nat, for a machine with these actions and transitions.
+/// Returns the greatest number of nat, for a machine with these actions and transitions.
 std::int64_t greatest(const std::string& parts, const InstantiationOptions& options = {}) {
     const auto lowered = samples::lower_text(
         "stm S { event e : nat const c : nat = 30 const d : nat = 40 var x : nat clock T initial i " + parts +

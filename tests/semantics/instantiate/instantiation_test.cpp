@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finite instantiations of a model (semantics 3.6, 3.13).
+// Tests finite instantiations of a model (semantics 3.6, 3.13).
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 using namespace samples;
 using diagnostics::Diagnostics;
 
-/// A system with one machine `S` of package P, whose only transition has this guard.
+/// Returns a system with one machine `S` of package P, whose only transition has this guard.
 System with_guard(ExprPtr guard) {
     System system = core_system();
     Machine machine;
@@ -88,7 +88,7 @@ TEST(Instantiate, RealLiteralsWidenRealOnly) {
 TEST(Instantiate, AggregationHasScaleOneHundredAndItsSpeeds) {
     const auto inst = instantiate_quietly(aggregation());
     EXPECT_EQ(inst.scale, 100);
-    // Integers within -10.88..2 and the decimals -10.88, -5.02, -0.75.
+    // The carrier contains the integers within -10.88..2 and the decimals -10.88, -5.02, -0.75.
     EXPECT_EQ(inst.real,
               (Numbers{-1088, -1000, -900, -800, -700, -600, -502, -500, -400, -300, -200, -100, -75, 0, 100, 200}));
     EXPECT_EQ(inst.nat, (Numbers{0, 1, 2}));
@@ -113,7 +113,7 @@ TEST(Instantiate, ClockSaturatesAboveTheLargestComparison) {
     Diagnostics diagnostics;
     auto system = with_guard(compare(ExprKind::greater_equal, since(0), samples::variable(0, types.nat)));
     auto inst = instantiate_system(system, {}, diagnostics);
-    EXPECT_EQ(clock_saturation(system, inst, system.machines[0], ClockId{0}), 3);  // n <= 2
+    EXPECT_EQ(clock_saturation(system, inst, system.machines[0], ClockId{0}), 3);  // for n <= 2
     system = with_guard(compare(ExprKind::less, make(ExprKind::cast, types.real, {since(0)}), decimal(25, 1)));
     inst = instantiate_system(system, {}, diagnostics);
     EXPECT_EQ(clock_saturation(system, inst, system.machines[0], ClockId{0}), 4);  // 2.5 rounds up to 3
@@ -138,8 +138,8 @@ TEST(Instantiate, ClockSaturationLooksIntoCalledOperations) {
     EXPECT_EQ(inst.clock_bound, 10);
 }
 
-/// Machine P::S with constants c (nat, without a value) and d (real, 0.5); controller P::K references it as `ref` and
-/// provides r.
+/// Returns a system with a machine P::S with constants c (nat, without a value) and d (real, 0.5), and a controller
+/// P::K, which references the machine as `ref` and provides r.
 System with_constants() {
     System system = with_guard(truth(true));
     auto& machine = system.machines[0];
@@ -204,7 +204,7 @@ TEST(Instantiate, WrongConstantOptionsAreReported) {
     EXPECT_EQ(codes(with_constants(), {{{"d", "99999999999999999999"}}, {}}), Codes{"RC-S11"});
 }
 
-/// "S::c" and "c" name the same constant. Two values are contradictory in either order, so they are rejected.
+/// "S::c" and "c" name the same constant. Two values contradict each other in either order, so they are rejected.
 TEST(Instantiate, TwoNamesOfOneConstantAreRefused) {
     EXPECT_EQ(codes(with_constants(), {{{"c", "1"}, {"S::c", "2"}}, {}}), Codes{"RC-S24"});
     EXPECT_EQ(codes(with_constants(), {{{"S::c", "1"}, {"P::S::c", "2"}}, {}}), Codes{"RC-S24"});
@@ -221,7 +221,8 @@ TEST(Instantiate, StrongerNamesOverrideHoweverTheyAreSpelled) {
     // A value of the machine's own constant also applies to its instances.
     EXPECT_EQ(not_overridden(system, {{"ref::c", "1"}}, {{"S::c", "3"}}), GivenConstants{});
     EXPECT_EQ(not_overridden(system, {{"S::c", "1"}}, {{"ref::c", "3"}}), (GivenConstants{{"S::c", "1"}}));
-    // One of the constants called `c` is not overridden, so `c` is kept. (Both names together are then rejected.)
+    // One of the constants called `c` is not overridden, so `c` is kept. (If both names are given together, they are
+    // then rejected.)
     EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"ref::c", "3"}}), (GivenConstants{{"c", "1"}}));
     EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"P::S::c", "3"}}), GivenConstants{}) << "and so that of the part";
     EXPECT_EQ(not_overridden(system, {{"none", "1"}}, {{"c", "3"}}), (GivenConstants{{"none", "1"}}))
@@ -239,7 +240,7 @@ TEST(Instantiate, ChosenSizes) {
     EXPECT_EQ(inst.sequence_bound, 3);
     EXPECT_EQ(inst.clock_bound, 4);
     EXPECT_EQ(inst.given_size, 5);
-    // since(C) < 25 needs 26 to be distinguished from 25.
+    // For since(C) < 25, the clock must count to 26, one beyond 25.
     const auto system = with_guard(compare(ExprKind::less, since(0), nat(25)));
     EXPECT_EQ(instantiate_quietly(system, {{}, {{"clock", {0, 26}}}}).clock_bound, 26);
     EXPECT_EQ(codes(system, {{}, {{"clock", {0, 25}}}}), Codes{"RC-S13"});
@@ -278,7 +279,8 @@ TEST(Instantiate, NumbersTooLargeForTheScaleAreReported) {
               Codes{"RC-S25"});
 }
 
-/// The carriers have the numbers that comparisons with the model's numbers can tell apart, and the types stay nested.
+/// The carriers have the numbers that comparisons with the model's numbers can distinguish. Each type still contains
+/// the narrower types.
 TEST(Instantiate, ALargeRangeHasTheNumbersOfTheModelAndTheirNeighbours) {
     const auto lowered = samples::lower_text(samples::machine_text(
         "event e:nat var n:nat var k:int transition t { from A to A trigger e?n condition n < 4000000 /\\ k > 7 }"));

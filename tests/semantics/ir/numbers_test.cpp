@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number literals and checked arithmetic.
+// Tests number literals and checked arithmetic.
 #include "semantics/ir/numbers.hpp"
 
 #include <gtest/gtest.h>

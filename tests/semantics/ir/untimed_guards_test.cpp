@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The untimed semantics weakens a condition so that it is true if the condition is true for some values of the clocks.
-// So no run is lost. If each clock is read only once, the result is exact.
+// Tests that the untimed semantics weakens a condition: the result is true if the condition is true for some values of
+// the clocks. So no run is lost. If each clock is read only once, the result is exact.
 #include "semantics/ir/untimed_guards.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ ExprPtr variable(std::uint32_t number) {
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// since(C) >= 1 for the clock with this number.
+/// Returns since(C) >= 1 for the clock with this number.
 ExprPtr late(std::uint32_t clock) {
     Expr since;
     since.kind = ExprKind::since;
@@ -40,7 +40,7 @@ ExprPtr late(std::uint32_t clock) {
 constexpr std::size_t variables = 2;
 using Values = std::array<bool, variables>;
 
-/// `clocks`: bit n is the value of the comparison with clock n.
+/// Returns the value of the expression. Bit n of `clocks` is the value of the comparison with clock n.
 bool value(const ExprPtr& expr, const Values& values, std::uint32_t clocks) {
     const auto part = [&](std::size_t number) { return value(expr->args[number], values, clocks); };
     switch (expr->kind) {
@@ -68,7 +68,7 @@ bool value(const ExprPtr& expr, const Values& values, std::uint32_t clocks) {
     }
 }
 
-/// Random conditions in which each comparison reads a different clock.
+/// Draws random conditions in which each comparison reads a different clock.
 class RandomConditions {
 public:
     explicit RandomConditions(std::uint64_t seed) : random_(seed) {}
@@ -105,7 +105,7 @@ bool has(const ExprPtr& expr, ExprKind kind) {
     return false;
 }
 
-/// True if the condition is true for some values of the clocks.
+/// Returns true if the condition is true for some values of the clocks.
 bool possible(const ExprPtr& condition, const Values& values, std::uint32_t clocks) {
     for (std::uint32_t clock_values = 0; clock_values < (1U << clocks); ++clock_values)
         if (value(condition, values, clock_values)) return true;
@@ -148,7 +148,7 @@ TEST(UntimedGuards, DropOnlyTheComparisonsWithClocks) {
     EXPECT_TRUE(untimed_guard(nullptr).left_open.empty());
 }
 
-/// `condition else` next to `since(C) >= 1 /\ few`: without time either transition may be taken.
+/// `condition else` is next to `since(C) >= 1 /\ few`. Without time, either transition may be taken.
 TEST(UntimedGuards, ANegatedConjunctionMayBeTrueWhateverIsKept) {
     const ExprPtr sibling = made(ExprKind::conjunction, {late(0), variable(0)});
     EXPECT_EQ(untimed_guard(made(ExprKind::logical_not, {sibling})).kept, nullptr);

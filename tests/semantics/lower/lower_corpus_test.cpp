@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two case studies, lowered: compared field by field with the model texts in corpus/.
+// Lowers the two case studies, and compares the result field by field with the model texts in corpus/.
 #include <gtest/gtest.h>
 
 #include "semantics/instantiate/instantiate.hpp"
@@ -68,10 +68,10 @@ TEST(LowerCorpus, SwarmTaxisMachine) {
     EXPECT_EQ(machine.clocks[0].name, "T");
     ASSERT_EQ(machine.events.size(), 4U);
     for (const auto& event : machine.events) EXPECT_FALSE(event.output) << event.name;
-    EXPECT_TRUE(machine.events[0].input);   // robotDetected: trigger
-    EXPECT_TRUE(machine.events[1].input);   // illumination: trigger
-    EXPECT_TRUE(machine.events[2].input);   // heading: input statement
-    EXPECT_FALSE(machine.events[3].input);  // turned: only the operation Turn uses it
+    EXPECT_TRUE(machine.events[0].input);   // robotDetected is a trigger
+    EXPECT_TRUE(machine.events[1].input);   // illumination is a trigger
+    EXPECT_TRUE(machine.events[2].input);   // heading is received by a statement
+    EXPECT_FALSE(machine.events[3].input);  // turned is only used by the operation Turn
     EXPECT_EQ(machine.operations.size(), 7U);
 }
 
@@ -109,7 +109,7 @@ TEST(LowerCorpus, SwarmTaxisDefinitionsInTheController) {
             EXPECT_EQ(lowered->system.machine(definitions[i]).name, name);
         }
     }
-    EXPECT_EQ(controller.operations.size(), 5U);  // seven required operations, two of them defined
+    EXPECT_EQ(controller.operations.size(), 5U);  // seven operations are required, two of them are defined
     // Turn calls StartTurning, which has no definition.
     const auto& turn = lowered->machine("Turn");
     ASSERT_EQ(called_operations(turn).size(), 1U);

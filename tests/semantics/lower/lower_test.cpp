@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lowering construct by construct, on small models.
+// Tests lowering construct by construct, on small models.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -105,8 +105,8 @@ TEST(LowerExpressions, FunctionsAreLoweredAtFirstUseAndWarnedOf) {
     EXPECT_EQ(lowered->text("S", lowered->transition("S", "a").action->value), "half(2r)");
 }
 
-/// A block defines a function for the semantics (timed, untimed) of the block; a block with another name does not. A
-/// semantics without assertions needs no definition.
+/// If a block defines a function, it does so for the semantics (timed, untimed) of the block. A block with another name
+/// does not define it. A semantics without assertions needs no definition.
 TEST(LowerExpressions, FunctionsThatBlocksDefineAreNotWarnedOf) {
     const auto codes = [](const std::string& blocks) {
         return lower_text("package a::b\nfunction half(n:nat):nat { }\n" +
@@ -135,7 +135,7 @@ TEST(LowerExpressions, LetAndLambda) {
     EXPECT_EQ(body[1]->value->kind, ExprKind::apply);
 }
 
-/// The parser already rejects such numbers (RC-P06, RC-P07); IR that is built in another way is checked here.
+/// The parser rejects such numbers (RC-P06, RC-P07). The test checks IR that was built in another way.
 TEST(LowerExpressions, NumbersBeyond64BitsAreReported) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -323,7 +323,7 @@ controller C { requires I opref w = walk opref t = turn sref s = S }
     EXPECT_NE(lowered->messages().find("walk calls turn calls walk"), std::string::npos);
 }
 
-/// walk requires `limit`; each caller provides its own.
+/// Returns a model in which walk requires `limit`, and each caller provides its own `limit`.
 std::string limit_model(const std::string& second_caller) {
     return R"(
 interface L { const limit : nat }

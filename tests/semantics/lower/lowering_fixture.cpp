@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Model text lowered to IR.
 #include "tests/semantics/lower/lowering_fixture.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Model text lowered to IR, for tests.
+// Lowers the text of models to IR, for tests.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace robochart::ir::samples {
 
-/// A project in memory, parsed, resolved and lowered.
+/// A project in memory that is parsed, resolved and lowered.
 struct Lowered {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -26,7 +26,7 @@ struct Lowered {
     [[nodiscard]] const Controller& controller(const std::string& path) const;
     [[nodiscard]] const Node& node(const std::string& machine, const std::string& path) const;
     [[nodiscard]] const Transition& transition(const std::string& machine, const std::string& name) const;
-    /// The guard of a transition as text.
+    /// Returns the guard of a transition as text.
     [[nodiscard]] std::string guard(const std::string& machine, const std::string& name) const;
     [[nodiscard]] std::string text(const std::string& machine, const ExprPtr&) const;
 };
@@ -41,7 +41,7 @@ struct SourceText {
 [[nodiscard]] std::unique_ptr<Lowered> lower_text(const std::string& rct, const std::string& assertions = "");
 /// Lowers a file or folder. Errors fail the test.
 [[nodiscard]] std::unique_ptr<Lowered> lower_path(const std::string& path);
-/// The machine `S` with this body and a state `A` after the initial node.
+/// Returns the machine `S` with this body and a state `A` after the initial node.
 [[nodiscard]] std::string machine_text(const std::string& body);
 
 }  // namespace robochart::ir::samples

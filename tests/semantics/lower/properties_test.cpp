@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertions and csp blocks (reference: assertion language 4).
+// Tests the lowering of assertions and csp blocks (reference: assertion language 4).
 #include <gtest/gtest.h>
 
 #include "semantics/ir/dump.hpp"
@@ -90,7 +90,7 @@ TEST(LowerProperties, CspBlocks) {
     const auto& property = only(*lowered);
     EXPECT_EQ(property.other.kind, ComponentKind::process);
     EXPECT_EQ(property.other.path, "Spec");
-    EXPECT_EQ(property.other.definition, 0U);  // the first block
+    EXPECT_EQ(property.other.definition, 0U);  // definition of the first block
     ASSERT_EQ(lowered->system.csp_blocks.size(), 1U);
     const auto& block = lowered->system.csp_blocks[0];
     EXPECT_EQ(block.name, "Spec");

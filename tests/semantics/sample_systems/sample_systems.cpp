@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The aggregation model (corpus/aggregation/aggregation.rct) as IR, written by hand from the model text.
+// Builds the aggregation model (corpus/aggregation/aggregation.rct) as IR. The IR was written by hand from the model
+// text.
 #include "tests/semantics/sample_systems/sample_systems.hpp"
 
 #include <utility>
@@ -46,7 +47,7 @@ ExprPtr compare(ExprKind kind, ExprPtr left, ExprPtr right) {
     return share(expr);
 }
 
-/// Numbers points in the order in which statements are created: a sequence before its parts.
+/// Numbers points in the order in which statements are created. A sequence is created before its parts.
 class Program {
 public:
     explicit Program(Machine& machine) : machine_(machine) {}
@@ -157,7 +158,7 @@ Machine operation_head(const std::string& name, const std::vector<std::string>& 
     return machine;
 }
 
-/// initial i -> S { entry angularSpeed = angular ; linearSpeed = LINEAR ; wait(1) } -> final F
+/// Adds initial i -> S { entry angularSpeed = angular ; linearSpeed = LINEAR ; wait(1) } -> final F.
 void add_one_cycle_body(Machine& machine, std::uint32_t linear, std::uint32_t angular, ExprPtr linear_value) {
     const NodeId initial = add_node(machine, NodeKind::initial, "i");
     const NodeId state = add_node(machine, NodeKind::state, "S");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The adapter for ARGoS: the generated controllers of both case studies stay within their bands in ARGoS, faulty
-// controllers do not, and scenarios with features that ARGoS lacks are rejected. The test is built if ARGoS is
+// Tests the adapter for ARGoS. The generated controllers of both case studies stay within their bands in ARGoS, and
+// faulty controllers do not. Scenarios with features that ARGoS lacks are rejected. The test is built if ARGoS is
 // installed. ARGoS supports one experiment per process, so each test runs in its own process.
 #include "simulation/adapters/argos/argos_stage.hpp"
 
@@ -36,7 +36,7 @@ void in_own_process(const std::function<bool()>& body) {
     EXPECT_EXIT(std::exit(body() && !::testing::Test::HasFailure() ? 0 : 1), ::testing::ExitedWithCode(0), "");
 }
 
-/// Whether the first band, the paper's claim, fails for an altered model.
+/// Returns whether the first band, the paper's claim, fails for an altered model.
 bool first_band_fails(const std::string& model, const std::string& scenario) {
     Experiment experiment(model, scenario);
     const RunResult result = run_in_argos(experiment);
@@ -44,8 +44,8 @@ bool first_band_fails(const std::string& model, const std::string& scenario) {
     return experiment.diagnostics.ok() && !result.bands.at(0).holds;
 }
 
-/// Of sixty trials, one is 3 cm outside the beacon's circle after 400 s (docs/case-studies.md), and ARGoS' results
-/// differ slightly between machines. So one of ten trials may be late, and the means of all bands hold.
+/// In one of sixty trials, the swarm is 3 cm outside the beacon's circle after 400 s (docs/case-studies.md), and ARGoS'
+/// results differ slightly between machines. So one of ten trials may be late. The means of all bands hold.
 TEST(Argos, TheSwarmReachesTheBeaconTogether) {
     in_own_process([] {
         Experiment experiment(read_file(corpus + "swarm_taxis/swarm_taxis.rct"),
@@ -59,8 +59,8 @@ TEST(Argos, TheSwarmReachesTheBeaconTogether) {
     });
 }
 
-/// The last two bands apply to bodies of 3.7 cm, as in Enki. Packed disks with ARGoS' 3.5 cm are correspondingly closer
-/// together.
+/// The last two bands apply to bodies of 3.7 cm, as in Enki. In ARGoS bodies have 3.5 cm, so packed robots are
+/// correspondingly closer together.
 TEST(Argos, OneClusterInAllTenTrials) {
     in_own_process([] {
         Experiment experiment(read_file(corpus + "aggregation/aggregation.rct"),
@@ -92,7 +92,7 @@ TEST(Argos, BrokenControllersFailToReachTheBeacon) {
     all_fail(testing::broken_taxis(read_file(corpus + "swarm_taxis/swarm_taxis.rct")), "swarm_taxis");
 }
 
-/// A trial does not depend on earlier ones: the second of two trials equals the first one with the next seed.
+/// A trial does not depend on earlier ones. The second of two trials equals the first trial with the next seed.
 TEST(Argos, ATrialStartsWhereItsSeedSays) {
     in_own_process([] {
         Experiment experiment(
@@ -110,7 +110,7 @@ TEST(Argos, ATrialStartsWhereItsSeedSays) {
     });
 }
 
-/// Sensors and motion of robots at given positions.
+/// The sensors and the motion of robots at given positions.
 struct Staged {
     explicit Staged(const std::string& text)
         : experiment(read_file(corpus + "swarm_taxis/swarm_taxis.rct"), text),
@@ -133,18 +133,18 @@ TEST(Argos, RobotsSeeAndHearWhoIsThere) {
         if (staged.stage == nullptr) return false;
         Sensor eye;
         Sensor radio;
-        // From the edge of one body at 3.5 cm to the edge of the next one at 26.5 cm. The second robot looks along y at
-        // the wall, 200 cm from the middle.
+        // The distance is from the edge of one body at 3.5 cm to the edge of the next one at 26.5 cm. The second robot
+        // looks along y at the wall, 200 cm from the middle.
         EXPECT_EQ(staged.stage->line_of_sight(0, eye).what, Seen::robot);
         EXPECT_NEAR(staged.stage->line_of_sight(0, eye).distance, 23, 0.1);
         EXPECT_EQ(staged.stage->line_of_sight(1, eye).what, Seen::wall);
         EXPECT_NEAR(staged.stage->line_of_sight(1, eye).distance, 196.5, 0.1);
-        // The first robot receives only the second one, which hides the third.
+        // The first robot receives only the second one, which hides the third one.
         EXPECT_FALSE(staged.stage->somebody_within(0, radio, 29));
         EXPECT_TRUE(staged.stage->somebody_within(0, radio, 31));
         EXPECT_NEAR(staged.stage->direction_of_others(0, radio, 80).value_or(9), 0, 1e-3);
         EXPECT_NEAR(staged.stage->direction_of_others(2, radio, 80).value_or(9), std::numbers::pi, 1e-3);
-        // The first robot is in the shadow of the others; at least the half of the last robot towards the light is lit.
+        // The first robot is in the shadow of the others. At least the light side of the last robot is lit.
         EXPECT_LE(staged.stage->lit_sensors(0, radio), 1U);
         EXPECT_GE(staged.stage->lit_sensors(2, radio), 4U);
         return true;
@@ -160,12 +160,12 @@ TEST(Argos, WallsStandWhereTheScenarioPutsThem) {
         Sensor radio;
         Sensor ring;
         ring.proximity.range = 20;
-        // The wall is a millimetre thick; without surrounding walls the second robot sees nothing.
+        // The wall is a millimetre thick. Without surrounding walls the second robot sees nothing.
         EXPECT_EQ(staged.stage->line_of_sight(0, eye).what, Seen::wall);
         EXPECT_NEAR(staged.stage->line_of_sight(0, eye).distance, 11.45, 0.1);
         EXPECT_EQ(staged.stage->line_of_sight(1, eye).what, Seen::nothing);
         EXPECT_FALSE(staged.stage->somebody_within(0, radio, 80));
-        // The closest rays of the ring are 22.5 degrees off: 14.95 cm / cos 22.5 - 3.5 cm.
+        // The closest rays of the ring are 22.5 degrees off, so the distance is 14.95 cm / cos 22.5 - 3.5 cm.
         EXPECT_FALSE(staged.stage->close_within(0, ring, 12.5));
         EXPECT_TRUE(staged.stage->close_within(0, ring, 12.9));
         return true;
@@ -176,7 +176,7 @@ TEST(Argos, DrivesWithTheScenariosWheels) {
     in_own_process([] {
         Staged staged(replaced(three_robots(), "axle 5.3 cm", "axle 5.1 cm"));
         if (staged.stage == nullptr) return false;
-        // One robot drives forward for ten seconds at 6 cm/s; another makes half a turn per second on the spot.
+        // One robot drives forward for ten seconds at 6 cm/s. Another robot makes half a turn per second on the spot.
         staged.stage->set_wheels(2, {6, 6});
         staged.stage->set_wheels(1, wheels_for(0, std::numbers::pi / 10, 5.1));
         for (int step = 0; step < 100; ++step) staged.stage->advance();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chains of swarms: states and transitions are counted by hand and robot by robot. The tests also cover claims that
-// states do not determine, bounds for swarms that are Markov chains, and the refutation of swarms that are not.
+// Tests chains of swarms. States and transitions are counted by hand and robot by robot. The tests also cover claims
+// that states do not determine, bounds for swarms that are Markov chains, and the refutation of swarms that are not.
 #include "simulation/chain/chain.hpp"
 
 #include <gmock/gmock.h>
@@ -40,7 +40,7 @@ struct ReadChain {
         for (const auto& finding : found.sorted_findings())
             findings += std::string(finding.rule->code) + " " + finding.message() + "\n";
     }
-    /// The report on the claims.
+    /// Returns the report on the claims.
     std::string question_findings() {
         const ChainStates states(scenario, std::nullopt);
         (void)find_chain_questions(scenario, states, found);
@@ -118,7 +118,7 @@ TEST(Abstraction, StatesAnswerOrItIsSaid) {
 
 // ---------------------------------------------------------------- states and transitions
 
-/// Three robots are in A, in B or in neither: this gives ten states, and the initial state.
+/// Three robots are in A, in B or in neither, which gives ten states, and the initial state.
 TEST(ChainStates, AreTheNumbersOfRobots) {
     const ReadChain read(std::string("abstract by a, b every 1 s estimate average a with confidence 95 %"));
     ASSERT_EQ(read.findings, "");
@@ -180,7 +180,7 @@ TEST(ChainStates, TransitionsAreThoseOfRobots) {
     EXPECT_EQ(states.permitted_transitions(), expected);
 }
 
-/// A class without successors excludes no transition.
+/// If a class has no successors because time stops, the class excludes no transition.
 TEST(Transitions, NothingIsExcludedWhereTimeStops) {
     const ReadChain read("abstract by a every 1 s estimate average a with confidence 95 %", "1");
     const ChainStates states(read.scenario, RobotSteps{{0, 1}, {true, false}, {{false, true}, {false, false}}});
@@ -199,7 +199,7 @@ TEST(Transitions, ObeyLimits) {
     EXPECT_THROW((void)states.permitted_transitions(&budget), diagnostics::LimitReached);
 }
 
-/// A measure of time is not a share: it is in seconds and does not count robots.
+/// A measure of time is in seconds and does not count robots, so it is not a share.
 TEST(States, OfATime) {
     const ReadChain read(
         "measure now is time abstract by now in 2 s every 1 s estimate time until now >= 1 s with confidence 95 %");
@@ -213,7 +213,7 @@ TEST(States, OfATime) {
 
 // ---------------------------------------------------------------- answers
 
-/// One robot that is near the lamp or not.
+/// One robot, which may be near the lamp.
 const char* const one_robot =
     "abstract by near every 1 s accept probability near >= 100 % within 12 s >= 40 % with confidence 95 % "
     "estimate time until near >= 100 % with confidence 95 % estimate average near with confidence 95 %";
@@ -238,7 +238,7 @@ std::vector<ChainAnswer> answered(const Scenario& scenario, const Draw& draw, st
     return result;
 }
 
-/// The robot comes near with probability 0.1 and leaves with probability 0.3 in each second.
+/// Returns a run of a robot that comes near with probability 0.1 and leaves with probability 0.3 in each second.
 std::vector<double> wanders(std::mt19937_64& random) {
     std::uniform_real_distribution<double> draw(0, 1);
     std::vector<double> seen{0};
@@ -249,8 +249,8 @@ std::vector<double> wanders(std::mt19937_64& random) {
     return seen;
 }
 
-/// Near within 12 s with probability 1 - 0.9^12, after 10 s on average, and in the long run for a quarter of the time.
-/// In at least 95 % of repetitions all three bounds hold and nothing is refuted.
+/// The robot is near within 12 s with probability 1 - 0.9^12, comes near after 10 s on average, and is near for a
+/// quarter of the time in the long run. In at least 95 % of repetitions, all three bounds hold and nothing is refuted.
 TEST(ChainAnswer, HoldsOfChainsInNineteenOfTwentyRepetitions) {
     ReadChain read(one_robot, "1");
     ASSERT_EQ(read.findings, "");
@@ -269,14 +269,14 @@ TEST(ChainAnswer, HoldsOfChainsInNineteenOfTwentyRepetitions) {
 TEST(ChainAnswer, ClaimsAreJudged) {
     const ReadChain read(one_robot, "1");
     const auto answers = answered(read.scenario, wanders, 5);
-    // 1 - 0.9^12 is 0.72: 300 trials distinguish it from 0.4.
+    // 1 - 0.9^12 is 0.72, so 300 trials distinguish it from 0.4.
     EXPECT_EQ(answers[0].claim_verdict(), ClaimVerdict::holds);
     EXPECT_EQ(answers[1].claim_verdict(), ClaimVerdict::estimated);
     EXPECT_GT(answers[1].low, 4);
     EXPECT_LT(answers[1].high, 40);
 }
 
-/// In three of five trials the event never comes; otherwise it comes with probability one half in each second.
+/// In three of five trials the event never comes. Otherwise it comes with probability one half in each second.
 TEST(ChainAnswer, WhatIsLockedIsRefuted) {
     const ReadChain read(one_robot, "1");
     const auto locked = [](std::mt19937_64& random) {
@@ -293,7 +293,7 @@ TEST(ChainAnswer, WhatIsLockedIsRefuted) {
 }
 
 /// The robot leaves after two seconds near the lamp. The chain's state does not contain how long the robot has been
-/// there. Fresh trials of the share may agree with the chain, but the test of its order fails.
+/// there. The share of robots in fresh trials may agree with the chain, but the test of its order fails.
 TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     const ReadChain read("abstract by near every 1 s estimate average near with confidence 95 %", "1");
     const ChainStates states(read.scenario, std::nullopt);
@@ -348,7 +348,7 @@ TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
     diagnostics::Diagnostics found;
     const auto questions = find_chain_questions(read.scenario, states, found);
     ASSERT_EQ(questions.size(), 2U);
-    // The state stays for one step after each change, and changes after each step without a change.
+    // After each change, the state stays the same for one step. After each step without a change, the state changes.
     const statistics::StateSequence twos{1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2};
     const std::vector<statistics::StateSequence> all(40, twos);
     const auto finding = order_finding(questions, statistics::all_permitted(states.size()), all);
@@ -377,7 +377,7 @@ TEST(Sequences, WhatIsExcludedIsFound) {
     EXPECT_EQ(excluded[0].to, "a 0 of 1");
 }
 
-/// The report says which values cannot be bounded and which claims are undecided.
+/// The report says which values have no bounds and which claims are undecided.
 TEST(ChainReport, SaysWhatItIs) {
     ChainResult result;
     result.questions = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The adapter for Enki: the generated controller aggregates in Enki too, faulty ones do not; scenarios with features
-// that Enki lacks are rejected.
+// Tests the adapter for Enki. The generated controller aggregates in Enki too, and faulty controllers do not. Scenarios
+// with features that Enki lacks are rejected.
 #include "simulation/adapters/enki/enki_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(Enki, DrivesAsTheEmbeddedWorldDoes) {
     const auto& a = enki.trials.at(0).frames;
     const auto& b = own.trials.at(0).frames;
     ASSERT_EQ(a.size(), b.size());
-    // A circle of 14.5 cm: after ten seconds the positions differ by at most a few millimetres.
+    // The path is a circle of 14.5 cm. After ten seconds the positions differ by at most a few millimetres.
     for (std::size_t f = 0; f <= 20; ++f) EXPECT_LT(length(a[f].poses[0].at - b[f].poses[0].at), 1.0) << a[f].time;
 }
 

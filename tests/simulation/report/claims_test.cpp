@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims are decided on given answers, with the number of trials that the interval or the test needs, and on simulated
+// Tests claims on given answers, with the number of trials that the interval or the test needs, and on simulated
 // trials, with any number of threads.
 #include "simulation/report/claims.hpp"
 
@@ -25,7 +25,7 @@ Claim at_least(double probability, double confidence, std::uint32_t most = 10'00
     return claim;
 }
 
-/// Decides a claim with as many trials as it needs; every `period`-th trial fails (0: none).
+/// Decides a claim with as many trials as it needs. Every `period`-th trial fails, or none if `period` is 0.
 ClaimResult judged(const Claim& claim, std::uint64_t period, std::uint32_t comparisons = 1) {
     ClaimJudge judge(claim, comparisons);
     for (std::uint64_t trial = 1; !judge.is_done(); ++trial)
@@ -64,7 +64,7 @@ TEST(Claims, AtMost) {
     EXPECT_EQ(judged(claim, 0).verdict, ClaimVerdict::fails);
 }
 
-/// Each point of a sweep has its share of the total error.
+/// Each point of a sweep gets a share of the total error.
 TEST(Claims, ComparisonsShareTheError) {
     const ClaimResult found = judged(at_least(0.95, 0.99), 0, 30);
     EXPECT_EQ(found.trial_count(), 275U);
@@ -108,8 +108,8 @@ stm Go {
 }
 )";
 
-/// One robot that drives straight ahead for 10 s at 10 cm/s, from a random place within 50 cm of a lamp and with a
-/// random heading.
+/// One robot drives straight ahead for 10 s at 10 cm/s, from a random place within 50 cm of a lamp and with a random
+/// heading.
 constexpr const char* scenario = R"(
 scenario World for Go {
 	step 0.1 s physics 0.1 s unit 0.1 s duration 10 s trials 3 seed 5
@@ -155,7 +155,7 @@ TEST(ClaimsOfTrials, AreTheSameWithAnyNumberOfThreads) {
     EXPECT_THAT(one, ::testing::HasSubstr("holds"));
 }
 
-/// Trials that are recorded for pictures run to their end and give the same answers.
+/// Trials that are recorded for pictures run to their end, but give the same answers.
 TEST(ClaimsOfTrials, DoNotDependOnWhatIsKept) {
     Experiment experiment(model, scenario);
     const RunResult recorded = run(experiment, 2, true);
@@ -172,8 +172,8 @@ TEST(ClaimsOfTrials, DoNotDependOnWhatIsKept) {
     EXPECT_LT(bare.claims[1].steps, 100 * bare.claims[1].trial_count()) << "trials that succeed end then";
 }
 
-/// A robot that starts within 20 cm of the lamp succeeds immediately. The robot drives straight at 10 cm/s, which
-/// determines its distance after 10 s and the outcome of every trial.
+/// A robot that starts within 20 cm of the lamp succeeds immediately. Otherwise the robot drives straight at 10 cm/s,
+/// which determines its distance after 10 s and the outcome of every trial.
 TEST(ClaimsOfTrials, AreThoseOfTheStraightLine) {
     Experiment experiment(model, scenario);
     const RunResult result = run(experiment, 2, false);
@@ -198,7 +198,7 @@ TEST(ClaimsOfTrials, ATrialThatStopsCountsAgainstThem) {
     const RunResult result = run(experiment, 2, false);
     EXPECT_FALSE(result.stops_are_errors);
     EXPECT_TRUE(experiment.diagnostics.ok());
-    // The answer is known at the start, so it counts. A later answer cannot occur.
+    // The answer is known at the start, so the trial counts. A later answer cannot occur.
     EXPECT_EQ(result.claims[1].verdict, ClaimVerdict::fails);
     EXPECT_EQ(result.claims[1].trial_count(), 16U);
     EXPECT_EQ(result.claims[1].stopped_count() + result.claims[1].successes, 16U);
@@ -207,7 +207,7 @@ TEST(ClaimsOfTrials, ATrialThatStopsCountsAgainstThem) {
     EXPECT_TRUE(result.has_failed());
     Experiment most(loop, replaced(scenario, "60 cm within 10 s >= 70 %", "60 cm within 10 s <= 70 %"));
     EXPECT_EQ(run(most, 1, false).claims[1].verdict, ClaimVerdict::fails) << "against it too";
-    // In a scenario with bands it remains an error.
+    // In a scenario with bands, it remains an error if a trial stops.
     Experiment band(loop, replaced(scenario, "measure way is distance(lamp)",
                                    "measure way is distance(lamp)\n\taccept each way >= 0 cm"));
     const RunResult stopped = run(band, 1, false);

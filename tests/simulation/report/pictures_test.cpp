@@ -118,7 +118,7 @@ TEST(ChartFrame, ScalesReachFromEndToEnd) {
     EXPECT_THAT(frame.svg(), Not(HasSubstr("<script")));
 }
 
-// Definition 7: the quartiles of 1, 2, 4, 8 are at ranks 0.75, 1.5 and 2.25 of 0..3.
+// By definition 7 of quantiles, the quartiles of 1, 2, 4, 8 are at ranks 0.75, 1.5 and 2.25 of 0..3.
 TEST(Series, QuartilesAreInterpolated) {
     const Quartiles found = quartiles_of({8, 1, 4, 2});
     EXPECT_DOUBLE_EQ(found.least, 1);
@@ -139,7 +139,7 @@ TEST(Series, ThinnedKeepsTheEnds) {
     EXPECT_THAT(kept_indices(0, 4), ElementsAre());
 }
 
-/// Three robots in a row, `gap` apart, at each of these times.
+/// Returns three robots in a row, `gap` apart, at each of these times.
 TrialResult rows(const std::vector<double>& gaps) {
     TrialResult trial;
     for (const double gap : gaps)
@@ -153,7 +153,7 @@ TEST(Series, OverTheTrialsThatHadNotEnded) {
     scenario.robots = 3;
     scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 10, 0, {}, {}});
     scenario.bands.push_back({{StatisticKind::at_time, 0, 1, {}}, true, 0.5, 1, "each", {}});
-    // Three robots in a row form two pairs that are one gap apart and one pair that is two gaps apart: 4/3 of a gap on
+    // Of three robots in a row, two pairs are one gap apart and one pair is two gaps apart, which is 4/3 of a gap on
     // average.
     const Charts charts = charts_of(scenario, {rows({30, 10, 3}), rows({60, 30})}, machines());
     EXPECT_THAT(charts.times, ElementsAre(0, 1, 2));
@@ -195,7 +195,7 @@ TEST(Series, NoMoreTimesThanAskedFor) {
     EXPECT_EQ(charts.times.back(), 999);
 }
 
-// Ten million pairs per time are too many for twenty times: mean distances are omitted, clusters are not.
+// Ten million pairs at each of twenty times are too many. Mean distances are omitted, but clusters are not.
 TEST(Series, TooManyPairsAreLeftOut) {
     Scenario scenario = small();
     scenario.robots = 5000;
@@ -213,7 +213,7 @@ TEST(Plot, HasAxesBandsAndALineForEachTrial) {
     EXPECT_THAT(drawn.content(), HasSubstr(">[cm]</text>"));
     EXPECT_THAT(drawn.content(), HasSubstr(">time [s]</text>"));
     EXPECT_THAT(drawn.content(), HasSubstr("data-trial=\"1\""));
-    // The values 40 and 80 at 0 s; the axis ends 5 % above 80.
+    // The values at 0 s are 40 and 80. The axis ends 5 % above 80.
     const auto y = [&](double value) {
         return fmt::format("{:.1f}", drawn.area().top + drawn.area().height * (1 - value / 84));
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An exception in a worker ends the run with its cause.
+// Tests that an exception in a worker ends the run with its cause.
 #include <gtest/gtest.h>
 
 #include <new>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles from drawings: the corners are compared with corners computed by hand, and drawings are rejected if a part
-// of them would be ignored.
+// Tests obstacles from drawings. Corners are compared with corners that were computed by hand, and a drawing is
+// rejected if a part of it would be ignored.
 #include "simulation/scenario/drawn_obstacles.hpp"
 
 #include <gmock/gmock.h>
@@ -118,7 +118,7 @@ TEST(DrawnObstacles, StandInTheArena) {
     EXPECT_EQ(scenario.drawings.size(), 1U) << "for digests";
 }
 
-/// Every robot is within 10 cm of another one, no two touch, and all are in the arena.
+/// Every robot is within 10 cm of another one, no two robots touch, and all are in the arena.
 TEST(LinkedStarts, AreLinkedAndDoNotOverlap) {
     WorldOptions options;
     options.arena.width = 60;

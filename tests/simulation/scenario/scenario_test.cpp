@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parsing of scenarios: values in internal units, and findings at their places.
+// Tests the parsing of scenarios: values in internal units, and findings at their places.
 #include "simulation/scenario/scenario.hpp"
 #include "simulation/scenario/read_scenario.hpp"
 
@@ -184,7 +184,8 @@ TEST(Scenario, EveryBeginningIsRefusedWithAPlace) {
     }
 }
 
-/// Replaces one word by another word of the scenario: the parser must not crash or hang, and must give a verdict.
+/// Replaces one word by another word of the scenario. The parser must not crash or hang, and must accept or reject the
+/// text.
 TEST(ScenarioProperty, SwappedWordsDoNoHarm) {
     const std::string text(good);
     std::vector<std::string> words;
@@ -215,8 +216,8 @@ TEST(Start, RefusesWhatDoesNotFit) {
     EXPECT_THAT(read.findings(), HasSubstr("10:3 RC-M09 199 robots of radius 3.5 cm do not fit"));
 }
 
-/// Four robots with 300 cm2 each start in a square with a side of 34.6 cm, in an arena with a side of 60 cm; nine
-/// robots start in a square of 52.0 cm, in an arena of 90 cm.
+/// Four robots with 300 cm2 each start in a square with a side of 34.6 cm, in an arena with a side of 60 cm. Nine
+/// robots start in a square with a side of 52.0 cm, in an arena with a side of 90 cm.
 TEST(Start, SquaresGrowWithTheRobots) {
     const std::string text = R"(scenario S for M {
 	step 0.1 s physics 0.1 s unit 0.1 s duration 1 s
@@ -251,7 +252,7 @@ TEST(Start, SquaresGrowWithTheRobots) {
               "3:20 RC-M02 the area of a robot takes an area (cm2, m2)\n");
 }
 
-/// A chain with links shorter than a robot's diameter is impossible; overlapping corners of one obstacle are reported
+/// A chain with links shorter than a robot's diameter is impossible. Overlapping corners of one obstacle are reported
 /// once.
 TEST(Start, SaysWhatCannotBe) {
     const std::string linked = replaced(good, "place random in (40 cm, 40 cm) to (-40 cm, -40 cm)",
@@ -275,7 +276,7 @@ TEST(Start, RobotsMayBeLinkedWithinTheirDiameter) {
     }
 }
 
-/// `pace` of the first kind can be written `all.pace` if the kind is called `all`; no kind may be called `environment`.
+/// `pace` of the first kind can be written `all.pace` if the kind is called `all`. No kind may be called `environment`.
 TEST(Scenario, AControllersConstantHasOneName) {
     const auto findings = [](const std::string& name, const std::string& varied) {
         const std::string named = replaced(good, "robots 12 {", "robots 12 " + name + " {");
@@ -291,8 +292,7 @@ TEST(Scenario, AControllersConstantHasOneName) {
                 HasSubstr("RC-M05 the name 'environment', which the environment already has, is given twice"));
 }
 
-/// At most all twelve robots can fail, not thirteen. If their number varies, the limit at each point is its number of
-/// robots.
+/// At most all twelve robots can fail. If their number varies, the limit at each point is its number of robots.
 TEST(Scenario, NoMoreRobotsFailThanThereAre) {
     const auto findings = [](const std::string& items) {
         std::string text = replaced(good, "	pictures at 0 s, 1 s\n", "	" + items + "\n");
@@ -321,7 +321,7 @@ TEST(Start, TrialsDifferAndRepeat) {
 }
 
 struct Mistake {
-    const char* from;  ///< part of the valid scenario
+    const char* from;  ///< a part of the valid scenario, which is replaced
     const char* to;
     const char* note;
 };

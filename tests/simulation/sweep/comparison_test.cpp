@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Estimates after a fixed number of trials, and comparisons of sweeps with tables. Counts and p-values are computed by
-// hand.
+// Tests estimates after a fixed number of trials, and comparisons of sweeps with tables. Counts and p-values are
+// computed by hand.
 #include "simulation/sweep/comparison.hpp"
 
 #include <gmock/gmock.h>
@@ -74,7 +74,7 @@ TEST(Vary, SharesOfSensors) {
     EXPECT_THAT(Sweeping(text).findings, HasSubstr("there is no share of 'eye' named 'leak'"));
 }
 
-/// A sweep with one point for each number of successes out of ten.
+/// Returns a sweep with one point for each number of successes out of ten.
 SweepResult sweep(const Scenario& scenario, const std::vector<std::uint64_t>& successes) {
     SweepResult result;
     for (const std::uint64_t count : successes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a sweep, the sets that follow from their verdicts, and tables. The verdicts are given by hand.
+// Tests points of a sweep, the sets that follow from their verdicts, and tables. The verdicts are given by hand.
 #include "simulation/sweep/sweep.hpp"
 
 #include <gmock/gmock.h>
@@ -126,7 +126,8 @@ ClaimVerdict verdict_of(char letter) {
     return letter == 'f' ? ClaimVerdict::fails : ClaimVerdict::open;
 }
 
-/// Verdicts at 1, 2, ... robots: 'h'olds, 'f'ails, 'o'pen, '-' not simulated.
+/// Returns verdicts at 1, 2, ... robots. The letters are 'h' for holds, 'f' for fails, 'o' for open, and '-' for not
+/// simulated.
 std::vector<PointResult> verdicts(const std::string& letters) {
     std::vector<PointResult> results;
     for (const char letter : letters) {

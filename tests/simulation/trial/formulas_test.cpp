@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formulas are evaluated on handwritten runs. Random formulas are compared with the definitions of the operators on the
-// whole run.
+// Tests formulas on handwritten runs. Random formulas are compared with the definitions of the operators on the whole
+// run.
 #include "simulation/trial/formulas.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace robochart::simulation {
 namespace {
 
-/// A scenario of five control steps of one second, with measures a and b and a claim with this property.
+/// Returns a scenario of five control steps of one second, with measures a and b and a claim with this property.
 Scenario with_property(const std::string& property) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -31,14 +31,14 @@ Scenario with_property(const std::string& property) {
     return scenario;
 }
 
-/// For each measure, the values after 0, 1, ... steps.
+/// The values of each measure after 0, 1, ... steps.
 using Values = std::vector<std::vector<double>>;
 
 MeasureNow at(const Values& run, std::uint64_t step) {
     return [&run, step](std::size_t measure) { return run[measure][step]; };
 }
 
-/// "true 3": the formula's value, known after three steps.
+/// Returns the formula's value, and after how many steps it is known: "true 3".
 std::string answer(const std::string& property, const Values& run) {
     const Scenario scenario = with_property(property);
     if (scenario.claims.size() != 1) return "";
@@ -107,7 +107,7 @@ TEST(Formulas, WhatATrialThatStopsLeavesOpenIsTaken) {
 
 using Kind = Formula::Kind;
 
-/// The value at one instant of a whole run, by definition.
+/// Returns the value at one instant of a whole run, by definition.
 bool defined(const Formula& f, const Values& run, std::size_t t) {
     switch (f.kind) {
         case Kind::compare:
@@ -134,7 +134,7 @@ bool defined(const Formula& f, const Values& run, std::size_t t) {
     throw std::logic_error("a condition on a trial");
 }
 
-/// The value for the whole run.
+/// Returns the value for the whole run, by definition.
 bool defined(const Formula& f, const Values& run) {
     const std::size_t last = std::isinf(f.time) ? 5 : static_cast<std::size_t>(f.time);
     switch (f.kind) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensors with errors, robots that fail, messages received from neighbours, and moving lights: the tests compare
+// Tests sensors with errors, robots that fail, messages received from neighbours, and moving lights. The tests compare
 // measured rates with the specified ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// The robot stands until it sees another one; states record a count and a message.
+/// The robot stands still until it sees another robot. Its states record a count and a message.
 constexpr const char* looking = R"(
 interface Ops { forward() }
 interface Said { var saying : nat = 0 }
@@ -63,7 +63,7 @@ scenario World for Look {
 }
 )";
 
-/// The states of the robots at the end of the first trial.
+/// Returns the states of the robots at the end of the first trial.
 std::vector<std::string> ends(const std::string& text, const std::string& of = looking) {
     Experiment experiment(of, replaced(text, "trials 2000", "trials 1"));
     EXPECT_TRUE(experiment.diagnostics.ok()) << experiment.messages();
@@ -88,8 +88,8 @@ TEST(SightErrors, ReadAndVary) {
     EXPECT_DOUBLE_EQ(read.sensors[0].false_positive, 0.01);
 }
 
-/// The numbers of robots that see another one in the first cycle, of 2000 pairs: the first robot of a pair looks at the
-/// second, the second at a wall.
+/// Returns how many robots see another one in the first cycle, among 2000 pairs. The first robot of a pair looks at the
+/// second, and the second looks at a wall.
 std::pair<std::uint64_t, std::uint64_t> seeing(const std::string& options) {
     Experiment experiment(looking, replaced(looking_world, "line_of_sight", "line_of_sight { " + options + " }"));
     EXPECT_TRUE(experiment.diagnostics.ok()) << experiment.messages();
@@ -116,8 +116,8 @@ TEST(SightErrors, AreAsFrequentAsTheySay) {
     EXPECT_TRUE(second.low <= 0.05 && 0.05 <= second.high) << imagined;
 }
 
-/// The number of 400 robots in state Seeing after one cycle with this reading of this sensor. The two robots of a pair
-/// are 20 cm apart, and 10 cm and 22 cm from the lamp.
+/// Returns how many of 400 robots are in state Seeing after one cycle with this reading of this sensor. The two robots
+/// of a pair are 20 cm apart, and 10 cm and 22 cm from the lamp.
 std::uint64_t noticing(const std::string& sensor, const std::string& reading) {
     std::string text = replaced(looking_world, "line_of_sight", sensor);
     text = replaced(text, "eye.robot", "eye." + reading);
@@ -143,8 +143,8 @@ TEST(SensorErrors, OfProximityAndGroundAreAsFrequentAsTheySay) {
         const auto interval = statistics::clopper_pearson(seeing, 400, 1e-4);
         return interval.low <= share && share <= interval.high;
     };
-    // The sensors are dense enough that no robot is missed: 20 cm between the centres of robots of 3 cm radius, 14 cm
-    // between bodies.
+    // The sensors are so dense that they miss no robot. The centres of robots of 3 cm radius are 20 cm apart, their
+    // bodies 14 cm.
     EXPECT_EQ(noticing("proximity { sensors 64 range 20 cm }", "near(20 cm)"), 400U);
     EXPECT_EQ(noticing("proximity { sensors 64 range 20 cm error 100 % }", "near(20 cm)"), 0U);
     EXPECT_EQ(noticing("proximity { sensors 64 range 5 cm error 100 % }", "near(5 cm)"), 400U);
@@ -241,7 +241,7 @@ TEST(Lights, Move) {
 TEST(Obstacles, StandInTheWayAndHoldNobody) {
     EXPECT_TRUE(is_inside({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {5, 5}));
     EXPECT_FALSE(is_inside({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {15, 5}));
-    // A notch: an arrow with its inner corner at (5, 5).
+    // The notch has the form of an arrow with its inner corner at (5, 5).
     EXPECT_FALSE(is_inside({{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}}, {8, 5}));
     WorldOptions options;
     options.arena.obstacles.push_back({{-120, -120}, {120, -120}, {120, 0}, {-120, 0}});

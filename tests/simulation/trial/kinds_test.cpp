@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several kinds of robots with separate models, and the machine of an environment.
+// Tests several kinds of robots with separate models, and the machine of an environment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -15,7 +15,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Drives forward from the start.
+/// A robot that drives forward from the start.
 constexpr const char* runner = R"(
 interface Legs { run() }
 interface Ears { event shout }
@@ -30,7 +30,7 @@ stm Runner {
 }
 )";
 
-/// Drives back for the number of time units in its constant; sends its number.
+/// A robot that drives back for the number of time units in its constant, and sends its number.
 constexpr const char* backer = R"(
 interface Wheels { back() halt() }
 interface Says { var word : nat = 0 }
@@ -82,10 +82,10 @@ TEST(Kinds, EachHasItsModelItsPlacesAndItsPlatform) {
         EXPECT_TRUE(result.bands[b].holds) << experiment.scenario.bands[b].text << ": " << result.bands[b].value;
     const Frame& last = result.trials.at(0).frames.back();
     ASSERT_EQ(last.poses.size(), 3U);
-    // The signal comes in the cycle at 0.5 s, so from 0.5 s on the robot drives for 1.5 s at 10 cm/s.
+    // The signal comes in the cycle at 0.5 s. From then on the robot drives for 1.5 s at 10 cm/s.
     EXPECT_NEAR(last.poses[0].at.x, 15, 1e-9);
     EXPECT_NEAR(last.poses[1].at.x, 15, 1e-9);
-    // Three time units of 0.1 s backwards.
+    // The robot drives backwards for three time units of 0.1 s.
     EXPECT_NEAR(last.poses[2].at.x, -3, 1e-9);
     const Machines machines = machines_of(experiment.scenario, experiment.drives());
     ASSERT_EQ(machines.size(), 1U);
@@ -104,7 +104,7 @@ TEST(Kinds, AKindThatIsCalledLikeAStateMakesItsNameMeanTwoThings) {
 }
 
 TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
-    // The robots are too far apart to meet: each kind moves as it does alone.
+    // The robots are too far apart to meet, so each kind moves as it does alone.
     std::string alone = mixed;
     alone.erase(alone.find("\trobots 1 backers"), alone.find("\tmeasure all") - alone.find("\trobots 1 backers"));
     alone.erase(alone.find("\tmeasure all"));
@@ -118,8 +118,8 @@ TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
             EXPECT_EQ(a.trials[0].frames[f].poses[robot].at, b.trials[0].frames[f].poses[robot].at);
 }
 
-/// Wheels, axle and noise are those of the first kind unless the kind states its own; a fifth of the speed gives a
-/// fifth of the distance.
+/// Wheels, axle and noise are those of the first kind unless the kind states its own. With a fifth of the speed, the
+/// robot drives a fifth of the distance.
 TEST(Kinds, DriveByWheelsOfTheirOwn) {
     const auto at_end = [](const std::string& own) {
         std::string text = replaced(mixed, "place at (0 cm, 100 cm)", own + " place at (0 cm, 100 cm)");
@@ -184,7 +184,7 @@ TEST(Kinds, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(mixed, "robots 1 backers", "robots 1 runners")), "RC-M05 RC-M06 RC-M06");
 }
 
-/// Counts to its constant, then performs two actions.
+/// An environment that counts to its constant, and then performs two actions.
 constexpr const char* keeper = R"(
 interface Acts { act(x : real, y : real) stop() }
 interface Watch { event late event seen : boolean event share : real }
@@ -240,7 +240,7 @@ const Frame& frame_near(const RunResult& result, double time) {
 TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
     Experiment experiment(runner, watched, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // Read in the cycle at 1 s; the action takes effect in the next cycle.
+    // The event is read in the cycle at 1 s, and the action takes effect in the next cycle.
     EXPECT_EQ(frame_near(result, 1).lights.at(0).at, (Vector{0, 0}));
     EXPECT_FALSE(frame_near(result, 1).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 1.1).obstacles.at(0));
@@ -259,7 +259,7 @@ TEST(WorldMachine, ReadsConditionsAndMeasures) {
     const RunResult result = experiment.run();
     const Frame& last = result.trials.at(0).frames.back();
     EXPECT_EQ(std::ranges::count(last.working, false), 1);
-    // One of the two robots, chosen at random, stands: over many trials it is not always the same one.
+    // One of the two robots, chosen at random, stands still. Over many trials, it is not always the same robot.
     Experiment many(runner,
                     replaced(replaced(watched, "stimulus shout on act",
                                       "stimulus shout on act failure of motors in 1 robots on stop"),
@@ -327,7 +327,8 @@ TEST(WorldMachine, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(watched, "when clock >= 1 s", "when clock >= 1 s within 2 s")), "RC-M16");
 }
 
-/// Each kind gets the event as its model declares it: the first with the command's argument, the other without a value.
+/// Each kind gets the event as its model declares it. The first gets it with the command's argument, the other without
+/// a value.
 TEST(WorldMachine, EachKindGetsTheValueThatItsEventCarries) {
     constexpr const char* valued = R"(
 interface Legs { run() }
@@ -369,7 +370,8 @@ stm Plain {
         EXPECT_TRUE(result.bands[b].holds) << experiment.scenario.bands[b].text << ": " << result.bands[b].value;
 }
 
-/// A robot that starts to run in this cycle was not yet in this state when the robots sensed.
+/// The environment reads the states at the time when the robots sensed. So it does not yet see the new state of a robot
+/// that starts to run in this cycle.
 TEST(WorldMachine, ReadsStatesAsTheyWereWhenTheRobotsSensed) {
     std::string text = replaced(watched, "measure out is inside (5 cm, -200 cm) to (200 cm, 200 cm)",
                                 "measure out is inside (5 cm, -200 cm) to (200 cm, 200 cm) "
@@ -379,7 +381,8 @@ TEST(WorldMachine, ReadsStatesAsTheyWereWhenTheRobotsSensed) {
     text = replaced(text, "feed late when clock >= 1 s", "feed late when running >= 100 %");
     Experiment experiment(runner, text, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // Running since the cycle at 0.5 s, read in that at 0.6 s, effective after that step.
+    // The robot has been running since the cycle at 0.5 s. The environment reads this in the cycle at 0.6 s, and its
+    // action takes effect after that step.
     EXPECT_FALSE(frame_near(result, 0.6).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 0.7).obstacles.at(0));
 }

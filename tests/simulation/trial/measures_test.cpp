@@ -21,14 +21,15 @@ std::vector<Pose> at(const std::vector<Vector>& places) {
 }
 
 TEST(Measures, ClusterFollowsChains) {
-    // Three robots in a row with distances of ten, and one alone: linked at ten, not at nine.
+    // Three robots are in a row with distances of ten, and one is alone. With a distance of ten they are linked, with
+    // nine they are not.
     const auto poses = at({{0, 0}, {20, 0}, {10, 0}, {0, 50}});
     EXPECT_DOUBLE_EQ(largest_cluster(poses, 10), 0.75);
     EXPECT_DOUBLE_EQ(largest_cluster(poses, 9.99), 0.25);
     EXPECT_DOUBLE_EQ(largest_cluster(poses, 60), 1);
 }
 
-/// Compared with the transitive closure of the relation.
+/// Compares clusters with the transitive closure of the relation.
 TEST(MeasuresProperty, ClusterIsTheClosure) {
     Random random(5);
     for (int round = 0; round < 200; ++round) {
@@ -57,7 +58,7 @@ TEST(Measures, ClustersCountThoseAloneToo) {
 }
 
 TEST(Measures, MeanDistanceIsOverAllPairs) {
-    // The sides of a triangle: 3, 4 and 5.
+    // The three robots form a triangle with sides 3, 4 and 5.
     EXPECT_DOUBLE_EQ(mean_distance(at({{0, 0}, {3, 0}, {0, 4}})), 4);
     EXPECT_DOUBLE_EQ(mean_distance(at({{7, 7}})), 0);
 }
@@ -87,7 +88,7 @@ TEST(Statistics, TimesAveragesAndMoments) {
     const Scenario scenario = with_bands();
     Statistics statistics(scenario);
     for (std::uint64_t step = 0; step <= 20; ++step) {
-        // Two robots that move apart by 2 cm per step: the spread is the number of steps.
+        // Two robots move apart by 2 cm per step, so the spread is the number of steps.
         const double half = static_cast<double>(step);
         const Frame frame{0, at({{-half, 0}, {half, 0}}), {}, {}};
         statistics.take_samples(step, measures_now(scenario, frame));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot with a small machine: its inputs, its motion, and the errors that stop it.
+// Tests one robot with a small machine: its inputs, its motion, and the errors that stop it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,9 +56,9 @@ scenario World for Roam {
 }
 )";
 
-/// The first robot drives from 0 to the point at which the wall is 10 cm ahead of its front: 50 - 10 - 3.7 = 36.3 cm,
-/// seen in the cycle after 3.7 s. Then the robot requests the angle, turns towards the other robot (to its left), and
-/// drives on.
+/// The first robot drives from 0 to the point at which the wall is 10 cm ahead of its front: 50 - 10 - 3.7 = 36.3 cm.
+/// It sees the wall in the cycle after 3.7 s. Then the robot requests the angle, turns towards the other robot (to its
+/// left), and drives on.
 TEST(Trial, DrivesAsksTurnsAndDrivesOn) {
     Experiment experiment(model, scenario);
     ASSERT_EQ(experiment.codes(), "") << experiment.messages();
@@ -96,7 +96,7 @@ TEST(Trial, AnswersTheReadingInItsUnit) {
 }
 
 TEST(Trial, StepBoundStopsAtTheElement) {
-    // RC-M12: a loop without time.
+    // A loop without time causes RC-M12.
     constexpr const char* loop = R"(
 interface Ops { forward() }
 stm Loop {
@@ -248,11 +248,12 @@ scenario World for Roam {
     const auto& frames = result.trials.at(0).frames;
     EXPECT_NEAR(frames[20].poses[0].at.x, 0, 1e-9) << "waits for the sign at 2 s";
     EXPECT_NEAR(frames[21].poses[0].at.x, 1, 1e-9);
-    // The wall is initially 50 - 3.7 = 46.3 cm ahead: less than 20.5 cm from x = 26 on (25.8 is passed between steps).
+    // The wall is initially 50 - 3.7 = 46.3 cm ahead. It is less than 20.5 cm ahead from x = 26 on (the robot passes
+    // 25.8 between steps).
     EXPECT_NEAR(frames[100].poses[0].at.x, 26, 1e-9);
 }
 
-/// Literals and constants of the model as stimuli: the robot continues at FAR, and at no other literal or number.
+/// The stimuli are literals and constants of the model. The robot continues at FAR, but at no other literal or number.
 class NamedStimuli : public ::testing::Test {
 protected:
     static std::string codes(const std::string& stimuli) { return experiment(stimuli)->codes(); }
@@ -332,7 +333,7 @@ TEST_F(NamedStimuli, ThatDoNotFitAreErrors) {
 }
 
 TEST(Controller, CompilerThatFailsIsReported) {
-    // RC-M11 contains this text.
+    // The message of RC-M11 contains this text.
     Experiment experiment(model, scenario);
     std::string error;
     EXPECT_EQ(Controller::build(experiment.emission, "false", error), nullptr);
@@ -352,8 +353,8 @@ TEST(Controller, StatesLieSideBySideAndAligned) {
     EXPECT_GE(address(1) - address(0), controller->drive().state_size);
 }
 
-/// Squaring ten nine times leaves the range of finite numbers; the difference of two such results is not a number. The
-/// world cannot use either, so the trial stops and reports the element of the model.
+/// If ten is squared nine times, the result is not a finite number, and the difference of two such results is not a
+/// number. The world cannot use either, so the trial stops and reports the element of the model.
 TEST(Trial, CommandsThatAreNoFiniteNumbersStopIt) {
     constexpr const char* squares = R"(
 interface Speeds { var linear : real = 0 var angular : real = 0 turn(by : real) }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Iterated racing on cost functions with known optima.
+// Tests iterated racing on cost functions with known optima.
 #include "simulation/tuning/race.hpp"
 
 #include <gmock/gmock.h>
@@ -13,12 +13,12 @@
 namespace robochart::simulation {
 namespace {
 
-/// A number in [0, 1) that depends only on the arguments.
+/// Returns a number in [0, 1) that depends only on the arguments.
 double noise(std::uint64_t one, std::uint64_t other) {
     return static_cast<double>(diagnostics::splitmix64_mixed(one * 0x9e3779b97f4a7c15U + other) >> 11U) * 0x1.0p-53;
 }
 
-/// Costs given by a function of the values and of the seed.
+/// A subject whose cost is a function of the values and of the seed.
 class Synthetic : public RaceSubject {
 public:
     explicit Synthetic(std::vector<Parameter> parameters) : parameters_(std::move(parameters)) {}
@@ -37,7 +37,7 @@ public:
             EXPECT_TRUE(run_.insert(trial).second) << "run once";
             EXPECT_TRUE(can_run(candidates_[trial.candidate]));
             if (run_.size() > most_) throw std::runtime_error("ended");
-            // The noise of the seed is common to all candidates; a smaller noise is individual.
+            // The noise of the seed is common to all candidates. A smaller noise is individual.
             result.push_back(cost(candidates_[trial.candidate]) + 10 * noise(trial.seed, 0) +
                              noise(trial.seed, trial.candidate + 1));
         }
@@ -65,7 +65,7 @@ Parameter parameter(const std::string& text, ParameterKind kind = ParameterKind:
     return read_parameter("x", text, kind, error).value();
 }
 
-/// The best value that a search finds.
+/// Returns the best value that a search finds.
 double best(Synthetic& subject, const RaceOptions& options, std::size_t p = 0) {
     Race race(subject.parameters_, options, subject);
     race.run();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges and lists of parameters, and values drawn from them.
+// Tests ranges and lists of parameters, and values drawn from them.
 #include "simulation/tuning/space.hpp"
 
 #include <gmock/gmock.h>
@@ -91,8 +91,8 @@ TEST(TuningSpace, WhatIsDrawnLiesWithin) {
     EXPECT_THAT(constants_of(parameters, {150, 1, 2}), ElementsAre("x=0.2", "x=2", "x=r"));
 }
 
-/// 64 new candidates of two parameters: a standard deviation of 225 steps becomes 225 / sqrt(64). Half-way through, the
-/// probabilities of a list of two go from (1/2, 1/2) to (1/4, 3/4).
+/// After 64 new candidates of two parameters, a standard deviation of 225 steps becomes 225 / sqrt(64). Half-way
+/// through, the probabilities of a list of two go from (1/2, 1/2) to (1/4, 3/4).
 TEST(TuningSpace, NeighbourhoodsNarrow) {
     const std::vector<Parameter> parameters{read("0.05..0.5"), read("p,q")};
     Neighbourhood near = whole_space(parameters);

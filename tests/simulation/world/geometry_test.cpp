@@ -12,7 +12,7 @@ namespace {
 
 TEST(Geometry, RayMeetsDiskAheadAtItsNearSide) {
     EXPECT_DOUBLE_EQ(*hit_disk({0, 0}, {1, 0}, {10, 0}, 3), 7);
-    // A 3-4-5 triangle: the ray passes the centre at distance 3, and half the chord is 4.
+    // The triangle has the sides 3, 4 and 5: the ray passes the centre at distance 3, and half the chord is 4.
     EXPECT_DOUBLE_EQ(*hit_disk({0, 0}, {1, 0}, {10, 3}, 5), 6);
 }
 

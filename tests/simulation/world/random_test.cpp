@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generator is the published one, and its numbers have the expected mean and deviation.
+// Tests that the generator is the published one, and that its numbers have the expected mean and deviation.
 #include "simulation/world/random.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ private:
     std::uint64_t s[4];
 };
 
-/// The numbers that other implementations publish for the seed 0 (rand_xoshiro, test of seed_from_u64).
+/// Other implementations publish these numbers for the seed 0 (rand_xoshiro, test of seed_from_u64).
 TEST(Random, AgreesWithOtherImplementationsFromTheSeedZero) {
     Random random(0);
     for (const std::uint64_t published :
@@ -71,7 +71,7 @@ TEST(Random, HasTheMomentsOfItsDistributions) {
         normal_square += n * n;
         taken += random.draw_chance(0.25) ? 1 : 0;
     }
-    // Five standard errors.
+    // The tolerance is five standard errors.
     EXPECT_NEAR(sum / draws, 1, 5 * 1.155 / 447);
     EXPECT_NEAR(square / draws, 1 + 16.0 / 12, 0.03);
     EXPECT_NEAR(normal_sum / draws, 0, 5.0 / 447);

@@ -29,7 +29,7 @@ TEST(LineOfSight, SeesTheRobotInFrontAtItsSurface) {
 }
 
 TEST(LineOfSight, IsAsThinAsARay) {
-    // Offset by slightly less and slightly more than a radius.
+    // The second robot is offset by slightly less, and then by slightly more, than a radius.
     EXPECT_EQ(Scene({{{0, 0}, 0}, {{50, 3.69}, 0}}).sensing.line_of_sight(0, 0).what, Seen::robot);
     EXPECT_EQ(Scene({{{0, 0}, 0}, {{50, 3.71}, 0}}).sensing.line_of_sight(0, 0).what, Seen::wall);
     EXPECT_EQ(Scene({{{0, 0}, 0}, {{-50, 0}, 0}}).sensing.line_of_sight(0, 0).what, Seen::wall) << "behind";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world moves robots according to the kinematics, prevents overlaps, and is reproducible bit for bit.
+// Tests that the world moves robots according to the kinematics, prevents overlaps, and is reproducible bit for bit.
 #include "simulation/world/world.hpp"
 
 #include <gtest/gtest.h>
@@ -36,8 +36,8 @@ TEST(World, TurnsOnTheSpot) {
     EXPECT_EQ(world.position(0), (Vector{0, 0}));
 }
 
-/// The circle of the first case study: -10.88 cm/s at -0.7529 rad/s, a radius of 14.45 cm. The midpoint rule stays on a
-/// circle whose radius is larger by the fraction (w h)^2 / 24.
+/// The robot drives the circle of the first case study: -10.88 cm/s at -0.7529 rad/s, which gives a radius of 14.45 cm.
+/// The midpoint rule stays on a circle whose radius is larger by the fraction (w h)^2 / 24.
 TEST(World, ClosesACircle) {
     World world(open_field(), 1);
     world.add_robot({{0, 0}, 0});
@@ -55,8 +55,8 @@ TEST(World, ClosesACircle) {
 }
 
 TEST(World, WheelsForSpeedsAndClamp) {
-    // The paper's two pairs: (-0.75 rad/s, -10.88 cm/s) is about (-0.7, -1.0), and -5.02 rad/s is (1.0, -1.0), relative
-    // to 12.8.
+    // The paper's two pairs of speeds are (-0.75 rad/s, -10.88 cm/s), which is about (-0.7, -1.0), and -5.02 rad/s,
+    // which is (1.0, -1.0), relative to 12.8.
     const Wheels circle = wheels_for(-10.88, -0.75, 5.1);
     EXPECT_NEAR(circle.left / 12.8, -0.7, 0.002);
     EXPECT_NEAR(circle.right / 12.8, -1.0, 0.002);
@@ -112,14 +112,15 @@ World crowd(std::size_t robots, std::size_t cells_from, std::uint64_t seed) {
     return world;
 }
 
-/// Robots get new random speeds from time to time.
+/// Gives robots new random speeds from time to time.
 void drive(World& world, Random& random) {
     for (std::size_t i = 0; i < world.size(); ++i)
         if (random.draw_chance(0.2)) world.set_wheels(i, {random.uniform(-13, 13), random.uniform(-13, 13)});
     world.advance();
 }
 
-/// The neighbour list in cells finds the same pairs in the same order as a comparison of all pairs: bit for bit.
+/// The neighbour list in cells finds the same pairs in the same order as a comparison of all pairs, so the results are
+/// equal bit for bit.
 TEST(WorldProperty, CellsAndPairsListsAgreeBitForBit) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         const std::size_t robots = 5 + 11 * seed;
@@ -143,8 +144,8 @@ TEST(WorldProperty, OverlapStaysBelowAPhysicsStep) {
         Random random(seed);
         for (int step = 0; step < 200; ++step) {
             drive(world, random);
-            // There is one projection pass per physics step: the remaining overlap is at most the distance that robots
-            // drive in a few steps.
+            // There is one projection pass per physics step, so the remaining overlap is at most the distance that
+            // robots drive in a few steps.
             ASSERT_LT(world.largest_overlap(), 1.0) << "seed " << seed << " at " << world.time();
         }
     }

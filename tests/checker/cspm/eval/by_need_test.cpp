@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests lazy evaluation as in FDR, evaluation in advance that is abandoned, and sets whose elements cannot be listed.
-// The expected values follow from the definition of each operator. `error("never")` marks expressions that must not be
+// Tests lazy evaluation as in FDR, early evaluation that is abandoned, and sets whose elements cannot be listed. The
+// expected values follow from the definition of each operator. `error("never")` marks expressions that must not be
 // evaluated.
 #include "tests/checker/cspm/outcomes.hpp"
 
@@ -176,7 +176,8 @@ TEST(DotPatterns, TwoPatternsForOnePart) {
     EXPECT_EQ(value("let f(x.(y @@ (a.b))) = (x, y, a, b) within f(1.2.3)"), "(1, 2.3, 2, 3)");
 }
 
-/// Parts of values are compared by identity, so equal sets must be one value however they are written.
+/// Composite values are compared by the identity of their parts, so equal sets must be one value however they are
+/// written.
 TEST(SetsWrittenDifferently, AreOneValueAsPartsOfOthers) {
     const std::string all = "Set({1})";
     const std::string listed = "{{}, {1}}";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processes of the published scripts, compared with published systems of equations. NAME-procTestK-expected.txt
+// Compares the processes of the published scripts with published systems of equations. NAME-procTestK-expected.txt
 // contains equations for procTestK, which must be strongly bisimilar to them. If a file has alternatives, one of them
 // must be equal.
 #include <gtest/gtest.h>
@@ -59,7 +59,8 @@ std::string replaced(const std::string& text, const std::vector<std::pair<std::s
     return result;
 }
 
-/// In these files the order of prioritisepo is already closed. Converts it back to the four arguments of the language.
+/// Converts the order of prioritisepo back to the four arguments of the language. In these files, the order is already
+/// closed under transitivity.
 std::string with_four_arguments(const std::string& body) {
     const std::size_t order = body.rfind(", {");
     std::set<std::string> events;
@@ -86,7 +87,7 @@ std::string with_four_arguments(const std::string& body) {
     return body.substr(0, order) + ", " + list(events, {}) + ", {" + pairs + "}, " + list(events, below_tau) + ")";
 }
 
-/// The equations as definitions of a script; the requested one is named `Equation_0`.
+/// Returns the equations as definitions of a script. The requested one is named `Equation_0`.
 std::string definitions(std::vector<Equation> equations, const std::string& requested) {
     std::erase_if(equations,
                   [](const Equation& equation) { return equation.name == equation.body; });  // RUN({}) = RUN({})
@@ -129,7 +130,7 @@ bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
     return lts::are_bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
 }
 
-/// Describes how the process differs from the file; empty if it does not.
+/// Describes how the process differs from the file. Returns "" if it does not.
 std::string find_difference(const std::filesystem::path& script, const std::string& process,
                             const std::filesystem::path& expected) {
     const std::string equations = definitions(equations_in(read_contents(expected)), process);
@@ -150,7 +151,7 @@ TEST(EquationsTest, PublishedProcessesAreWhatIsWrittenBeside) {
     const auto shared = shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
     const auto suite = shared / "suite" / "cspm";
-    // In the first test two different lambda functions have the same name; the second file is empty.
+    // In the first test two different lambda functions have the same name, and the file of the second test is empty.
     const std::set<std::string> unusable{"function_processes.csp procTest1", "event_channels.csp procTest1"};
     int compared = 0;
     for (const PublishedScript& published : published_scripts(suite)) {

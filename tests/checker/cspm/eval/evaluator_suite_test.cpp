@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evaluator on the published scripts: values whose names start with `test` must be true, and faulty scripts must
-// give an error.
+// Tests the evaluator on the published scripts: values whose names start with `test` must be true, and faulty scripts
+// must give an error.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -19,7 +19,7 @@ std::vector<std::string> files_expected(const std::filesystem::path& suite, cons
     return result;
 }
 
-// The top-level names of the script that start with `prefix`.
+// Returns the top-level names of the script that start with `prefix`.
 std::vector<ExprPtr> names_with(const Script& script, const std::string& prefix) {
     std::vector<ExprPtr> result;
     for (const DeclPtr& decl : script.decls) {
@@ -32,7 +32,7 @@ std::vector<ExprPtr> names_with(const Script& script, const std::string& prefix)
     return result;
 }
 
-// Explores the states of a process up to a bound, which evaluates every prefix and call in them.
+// Explores the states of a process up to a bound. This evaluates every prefix and call in these states.
 void explore(Session& session, const ExprPtr& process) {
     refine::Limits limits;
     limits.max_states = 20000;
@@ -44,7 +44,7 @@ std::string describe(const EvaluationError& error, const diagnostics::SourceMana
     return sources.path_and_line(error.span) + ": " + error.what();
 }
 
-// Scripts with constructs that are not supported yet; the error says so.
+// Scripts with constructs that are not supported yet. The error must name the construct.
 const std::set<std::string> not_yet{
     "evaluator/should_pass/deter_test.csp",        // deter
     "evaluator/should_pass/failure_watchdog.csp",  // failure_watchdog

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Graphs that are printed as CSPM parse to equal graphs. Random processes over all operators are explored, printed,
-// parsed and explored again; both refine each other in failures and divergences.
+// Tests that graphs that are printed as CSPM parse to equal graphs. Random processes over all operators are explored,
+// printed, parsed and explored again. Both graphs must refine each other in failures and divergences.
 #include <gtest/gtest.h>
 
 #include <sstream>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators that scripts rarely use, on small scripts; comments give the argument for each verdict.
+// Tests rarely used operators with small scripts. Comments give the argument for each verdict.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
 namespace {
 
-// FDR manual, prioritisepo; UCS 20.2.
+// The expected behaviour is that of the FDR manual, prioritisepo, and of UCS 20.2.
 TEST(OperatorsTest, PrioritiseByAPartialOrder) {
     expect_outcomes(R"(external prioritisepo
 channel a, b, c, d
@@ -49,7 +49,7 @@ assert B :[has trace [T]]: <in.0, in.1, in.0>
     const std::string channels = "channel a, b\n";
     EXPECT_EQ(process_failure(channels + "X = BUFFER(0, {(a, b)})\n"), "a buffer's capacity is at least 1, not 0");
     EXPECT_EQ(process_failure(channels + "X = BUFFER(1, {(a, a)})\n"), "the event a is given to a buffer twice");
-    // We found no definition of these buffers' behaviour when they are full or empty.
+    // We found no definition of how these buffers behave when they are full or empty, so the evaluator rejects them.
     EXPECT_EQ(process_failure(channels + "channel c\nX = WEAK_BUFFER(1, c, {(a, b)})\n"),
               "'WEAK_BUFFER' is not supported");
 }
@@ -62,7 +62,7 @@ TEST(OperatorsTest, ClosuresOfRelations) {
     EXPECT_EQ(value(use + "mtransclose({}, {1})"), "{}");
 }
 
-// P |\ A hides all events except A; loop(P) is P;loop(P).
+// P |\ A hides all events except A. loop(P) is P;loop(P).
 TEST(OperatorsTest, ProjectAndLoop) {
     expect_outcomes(R"(external loop
 channel a, b, c
@@ -96,8 +96,8 @@ assert Q :[deadlock free [F]] :[tau priority]: {tock}
                     "fhhfhffh");
 }
 
-// In T, `has trace` means that a trace exists. F and FD are decided only if all readings agree, because the manual does
-// not define them.
+// In T, `has trace` means that a trace exists. In F and FD it is decided only if all interpretations agree, because the
+// manual does not define it.
 TEST(OperatorsTest, HasTraceInEachModel) {
     expect_outcomes(R"(channel a, b
 P = a -> b -> STOP

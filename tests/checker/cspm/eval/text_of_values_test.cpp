@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts of values that are data: results of `show`, and names of events. The expected texts follow from reasoning:
-// equal values have equal texts, different values have different texts, and an expression without a value has no text.
+// Tests the texts of values that are data: results of `show`, and names of events. Equal values must have equal texts,
+// different values must have different texts, and an expression without a value has no text.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
@@ -15,7 +15,7 @@ TEST(TextOfValues, ShowGivesAllOfIt) {
 
 TEST(TextOfValues, PrintGivesAllOfIt) {
     const std::string printed = value("<1000..1999>");
-    EXPECT_EQ(printed.size(), 6000U);  // 4 digits and ", " each; < and > instead for the last
+    EXPECT_EQ(printed.size(), 6000U);  // 4 digits and ", " for each; the last has < and > instead of ", "
     EXPECT_EQ(printed.find("..."), std::string::npos);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls that differ only in arguments that are never read are one state; calls that differ in an argument that is read
-// are different states.
+// Tests which arguments are part of a state. Calls that differ only in arguments that are never read are one state.
+// Calls that differ in an argument that is read are different states.
 #include <gtest/gtest.h>
 
 #include "checker/cspm/session.hpp"
@@ -11,14 +11,14 @@
 namespace robochart::cspm::test {
 namespace {
 
-/// The number of states that P reaches by events, in a script over one channel.
+/// Returns the number of states that P reaches by events, in a script over one channel.
 std::size_t states_of_p(const std::string& definitions) {
     const Reading reading("channel c : {0..3}\n" + definitions + "\n");
     EXPECT_TRUE(reading.ok()) << reading.report();
     Session session(reading.script);
     const auto system = session.system(build::name("P"));
     return lts::explore(*system, [](std::size_t) {}).graph.size() -
-           1;  // no event leads back to the initial state, which is the name P
+           1;  // without the initial state P, to which no event leads back
 }
 
 TEST(UnreadParametersTest, AreNoPartOfAState) {

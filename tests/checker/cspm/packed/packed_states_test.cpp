@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares packed states with the terms that they encode. Both must give the same graph, the same answers and the same
-// errors, even if the script is loaded again in between.
+// errors, even if the script is loaded again during the search.
 #include <gtest/gtest.h>
 
 #include "checker/cspm/packed/not_packed.hpp"
@@ -266,7 +266,7 @@ assert P(0) :[has trace [T]]: <a.0, a.1, b.0, b.1>
                         18);
 }
 
-// An assertion has the scope of the place where it is written. In a timed section time passes while events wait.
+// An assertion has the scope of the place where it is written. In a timed section, time passes while events wait.
 TEST(PackedStatesTest, ModulesTimedSectionsAndPriorities) {
     expect_same_answers(R"(channel a, b : {0..2}
 channel tock
@@ -315,7 +315,8 @@ assert P(0) [T= RUN({t})
                         7);
 }
 
-// The error in the state after three steps does not occur, because a state after two steps has a deadlock.
+// A state after three steps has an error. The error does not occur, because a state after two steps has a deadlock and
+// ends the search.
 TEST(PackedStatesTest, NothingBehindTheFirstViolationIsEvaluated) {
     expect_same_answers(R"(channel a : {0..5}
 P(n) = a.n -> (if n == 1 then STOP else P(n + 1)) [] a.0 -> Q(n)
@@ -333,7 +334,7 @@ assert P(0) :[deadlock free]
                     .starts_with("fails"));
 }
 
-// A process without a packed form is searched as terms: a compression, an infinite sequence, a set of processes.
+// Compressions, infinite sequences and sets of processes have no packed form, so the search uses terms for them.
 TEST(PackedStatesTest, WhatHasNoBytesStaysATerm) {
     const std::string text = R"(transparent normal
 channel a : {0..3}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Advice on common mistakes in scripts: the note that accompanies the finding.
+// Tests the advice on common mistakes in scripts, which is a note on the finding.
 #include "checker/cspm/syntax/advice.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// The first finding of a script.
+/// Reads a script and stores its first finding.
 struct FirstFinding {
     std::string code, message, note;
 };
@@ -105,7 +105,7 @@ const Mistake mistakes[] = {
     {"channel c Int\n", "after a `:`"},
     {"channel c {0..2}\n", "after a `:`"},
     {"channel a\nP = a -> STOP()\n", "without parentheses"},
-    // Names.
+    // Misspelt names.
     {"channel a : Int\nP(count) = a.coutn -> STOP\n", "did you mean 'count'?"},
     {"module M\n Process = STOP\nexports\n Public = Process\nendmodule\nQ = M::Pubilc\n", "did you mean 'M::Public'?"},
     {"module M\n Process = STOP\nexports\n Public = Process\nendmodule\nQ = Public\n", "did you mean 'M::Public'?"},

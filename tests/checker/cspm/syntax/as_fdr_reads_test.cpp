@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts that FDR's front end unexpectedly accepts or rejects (libcspm: Lexer.x, Parser.ppy).
+// Tests texts that FDR's front end unexpectedly accepts or rejects (libcspm: Lexer.x, Parser.ppy).
 #include <gtest/gtest.h>
 
 #include "checker/cspm/types/type_check.hpp"
@@ -8,7 +8,7 @@
 namespace robochart::cspm::test {
 namespace {
 
-/// The codes of all findings, with their lines.
+/// Returns the codes of all findings, with their lines.
 std::string codes(const std::string& text) {
     Reading reading(text);
     if (reading.ok()) (void)check_types(reading.script, reading.diagnostics);
@@ -50,7 +50,7 @@ TEST(AsFdrReads, NothingIsAskedInModules) {
     EXPECT_EQ(codes("channel tock\nTimed(\\ _ @ 1) {\n print 1\n}\n"), "CSPM-P09@3");
 }
 
-// The rule also applies to text from an included file, which has no module around it.
+// The rule also applies to text from an included file, although the included file itself contains no module around it.
 TEST(AsFdrReads, NothingIsAskedInFilesThatModulesInclude) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
@@ -92,7 +92,7 @@ TEST(AsFdrReads, OneFindingForOneMistake) {
     EXPECT_EQ(codes("Q(x) = if x > 2 then STOP\n\n"), "CSPM-P01@1");
 }
 
-// Editors on Windows insert a byte order mark.
+// Editors on Windows write a byte order mark.
 TEST(AsFdrReads, AByteOrderMarkIsNoPartOfTheText) {
     EXPECT_EQ(codes("\xEF\xBB\xBF"
                     "channel a\nP = a -> STOP\n"),

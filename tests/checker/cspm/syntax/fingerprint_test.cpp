@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingerprints agree with equality: different spellings of the same tree have equal fingerprints, and every part of the
-// tree affects the fingerprint.
+// Tests that fingerprints agree with equality. Different spellings of the same tree have equal fingerprints, and every
+// part of the tree affects the fingerprint.
 #include "checker/cspm/syntax/fingerprint.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::uint64_t hash_of(const std::string& declaration) {
     return Fingerprints().of_exports(reading.script.decls.at(0)).hash;
 }
 
-// syntax.cpp: parentheses and comments are ignored.
+// Like equality (syntax.cpp), fingerprints ignore parentheses and comments.
 TEST(Fingerprints, OfEqualTreesAreEqual) {
     EXPECT_EQ(hash_of("P(x) = c!x -> (STOP)"), hash_of("-- said\nP(x) =\n    c!x -> STOP"));
     EXPECT_EQ(hash_of("x = 1 + (2 * 3)"), hash_of("x = 1 + 2 * 3"));

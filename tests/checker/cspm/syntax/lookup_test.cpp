@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Qualified names find their declarations in modules, timed sections and instances.
+// Tests that qualified names find their declarations in modules, timed sections and instances.
 #include "checker/cspm/syntax/lookup.hpp"
 
 #include <gtest/gtest.h>

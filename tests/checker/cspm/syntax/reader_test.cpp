@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Precedence, layout and limits of the parser. Expected trees come from FDR's grammar (levels.hpp).
+// Tests precedence, layout and limits of the parser. The expected trees follow from FDR's grammar (levels.hpp).
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -172,7 +172,8 @@ TEST(ReaderTest, IncludesAreReadOnceAPlaceAndCyclesRefused) {
     EXPECT_EQ(codes("missing.csp"), "CSPM-P15");
 }
 
-/// The caller provides the texts, so no file is on disk. Files are numbered 0, 1, …, and each includes the next ones.
+/// Returns the code of the finding in a chain of files, or the number of declarations. The caller provides the texts,
+/// so no file is on disk. Files are numbered 0, 1, …, and each file includes the next one the given number of times.
 std::string code_of_chain(std::size_t files, std::size_t times) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// read(print(tree)) == tree for random trees over the whole language.
+// Tests that read(print(tree)) == tree for random trees over the whole language.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace build;
 
-// Generates random trees; the size bounds their height.
+// Generates random trees whose height is at most the size.
 class Trees {
 public:
     ExprPtr expr(int size) {

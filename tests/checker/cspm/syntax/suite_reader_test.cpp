@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts that FDR's front end accepts or rejects, and RoboTool's own scripts. Accepted scripts must parse, print, and
-// parse to the same tree.
+// Reads scripts that FDR's front end accepts or rejects, and RoboTool's own scripts. Accepted scripts must parse,
+// print, and parse to the same tree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(SuiteReaderTest, FrontEndVerdictsOfThePublishedScripts) {
     const auto folder = shared / "suite" / "cspm";
     int seen = 0;
     for (const auto& [phase, expectation, file] : published_scripts(folder)) {
-        // Scripts meant for later phases must parse too; only rejections by the parser are expected here.
+        // Scripts for later phases must parse too, so only scripts of the parser's phase may be rejected here.
         if (phase != "parser" && expectation == "reject") continue;
         ++seen;
         diagnostics::SourceManager sources;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ill-typed scripts, each with its finding and the line. Most of them are next to a similar well-typed script. Also
-// large malicious inputs.
+// Tests ill-typed scripts, each with its finding and the line. Most of them are next to a similar well-typed script.
+// Tests also large malicious inputs.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"CSPM-T08@2", "channel c : {0..1}\nd.x = c.0"},
                       Wrong{"", "channel c : {0..1}\nv = let c.x = c.0 within x"}, Wrong{"", "a.b = 1.2"}));
 
-// A name with :: is one name: a variable, or another module named like its first part, does not hide it.
+// A name with :: is one name. A variable, or another module, with the name of its first part does not hide it.
 INSTANTIATE_TEST_SUITE_P(
     QualifiedNames, Finding,
     ::testing::Values(
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
               "endmodule\nexports\n w = M::k\nendmodule"},
         Wrong{"CSPM-T01@5", "module M(n)\nexports\n k = n\nendmodule\nf(M) = M::k"}));
 
-// Variables of an annotation combined with dots in the body.
+// The body combines variables of a type annotation with dots.
 INSTANTIATE_TEST_SUITE_P(AnnotatedDots, Finding,
                          ::testing::Values(Wrong{"", "f :: (b => a, c => b, c) -> a\nf(x, y, z) = x.y.z"},
                                            Wrong{"", "f :: (b => a, b) -> <a>\nf(x, y) = <x.y>"},
@@ -203,7 +203,7 @@ TEST(TypeFindings, SuggestNearNames) {
     EXPECT_NE(reading.report().find("did you mean 'Process'?"), std::string::npos) << reading.report();
 }
 
-// x1 = (x0, x0), x2 = (x1, x1), ...: the size of the types doubles with every line.
+// The text x1 = (x0, x0), x2 = (x1, x1), ... doubles the size of the type with every line.
 TEST(TypeFindings, EnormousTypesAreRefused) {
     std::string script = "x0 = 1\n";
     for (int i = 1; i <= 60; ++i) {
@@ -223,7 +223,8 @@ TEST(TypeFindings, EnormousTypesAreRefused) {
     EXPECT_EQ(large.code(), "CSPM-T20");
 }
 
-// Sequences of sequences of sequences and so on are accepted until two such types must be compared level by level.
+// The type checker accepts sequences of sequences of sequences and so on until it must compare two such types level by
+// level.
 TEST(TypeFindings, DeepTypesAreRefused) {
     std::string script = "x0 = 1\ny0 = 1\n";
     for (int i = 1; i <= 20'000; ++i) {
@@ -253,7 +254,7 @@ TEST(TypeFindings, ExpressionsTooDeepForAnyStackAreRefused) {
     check_types(script, found);
     ASSERT_FALSE(found.ok());
     EXPECT_EQ(found.sorted_findings().front().rule->code, "CSPM-T20");
-    // Trees of this height cannot be destroyed recursively either.
+    // Trees of this height cannot be destroyed recursively either, so the test destroys this one here.
     script.decls.clear();
     while (expr->args.size() == 1) expr = ExprPtr(expr->args[0]);
 }

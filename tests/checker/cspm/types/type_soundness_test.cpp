@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soundness: a script that passes the type checker evaluates without a type error. Random scripts come in two kinds:
-// well-typed scripts, which must pass; and scripts with parts of random types inserted, which must evaluate without a
+// Tests soundness: a script that passes the type checker evaluates without a type error. There are two kinds of random
+// scripts. Well-typed scripts must pass. Scripts into which parts of random types were inserted must evaluate without a
 // type error if they pass.
 #include <gtest/gtest.h>
 
@@ -41,7 +41,8 @@ enum class Type { integer, boolean, tree, data, inner, event, pair, sequence, se
 constexpr std::array all_types{Type::integer, Type::boolean,  Type::tree, Type::data,   Type::inner,    Type::event,
                                Type::pair,    Type::sequence, Type::set,  Type::events, Type::function, Type::process};
 
-// Generates expressions of a given type: pairs are (Int, Bool), sequences and sets of Int, functions (Int) -> Int.
+// Generates expressions of a given type. Pairs are (Int, Bool), sequences and sets contain Int, and functions are (Int)
+// -> Int.
 class Terms {
 public:
     Terms(unsigned seed, bool mixed) : random_(seed), mixed_(mixed) {}
@@ -170,8 +171,8 @@ std::string script_for(Type type, unsigned seed, bool mixed) {
     return std::string(declarations) + "x = 0\ny = true\nv = " + terms.term_of(type, 4) + "\n";
 }
 
-// Errors that the type checker should have found. Other errors (an infinite set, the head of an empty sequence) depend
-// on values.
+// Returns true for errors that the type checker should have found. Other errors (an infinite set, the head of an empty
+// sequence) depend on values.
 bool about_types(const std::string& message) {
     for (const char* start : {"expected ", "cannot compare", "values like", "productions of"}) {
         if (message.starts_with(start)) return true;
@@ -179,7 +180,7 @@ bool about_types(const std::string& message) {
     return message.find(" arguments") != std::string::npos || message.find("no clause of") != std::string::npos;
 }
 
-// The error from evaluating `v`, with a short exploration of processes; "" if there is none.
+// Returns the error from evaluating `v`, with a short exploration of processes, or "" if there is none.
 std::string fault_of(const Script& script, Type type) {
     try {
         Session session(script);

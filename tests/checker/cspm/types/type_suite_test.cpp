@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of published scripts: those that FDR's front end accepts are accepted, and those that it rejects are rejected.
-// RoboTool's own scripts are all accepted, the largest in about a second.
+// Checks the types of published scripts: the type checker accepts what FDR's front end accepts, and rejects what it
+// rejects. It accepts all of RoboTool's own scripts, the largest in about a second.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -23,7 +23,8 @@ struct Checked {
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
 };
 
-// Scripts of the printer's phase that were never meant to type check: FDR's front end rejects them too.
+// Returns true for scripts of the printer's phase that were never meant to type check. FDR's front end rejects them
+// too.
 bool only_printed(const std::string& file) {
     return file.ends_with("should_pass/complete.csp") || file == "prettyprinter/should_pass/timed_sections.csp";
 }

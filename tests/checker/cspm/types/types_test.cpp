@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of names (FDR manual, chapter CSPM, "Type system"): the inferred types, in FDR's notation.
+// Tests the inferred types of names, in FDR's notation (FDR manual, chapter CSPM, "Type system").
 #include <gtest/gtest.h>
 #include <algorithm>
 
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
               "instance J = I::N(true)\nv = J::y",
               "(Int, Bool)"}));
 
-// Top-level definitions are generalised; in a let only annotated names are (FDR's rule).
+// The type checker generalises all top-level definitions, but in a let only annotated names (FDR's rule).
 TEST(TypeCheck, LetsGeneraliseAnnotatedNamesOnly) {
     Reading bare("f(y) = let id(x) = x within (id(1), id(true))\n");
     check_types(bare.script, bare.diagnostics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// If the disk is full, as much of the search as fits is saved. This holds for each failing write: rows, the other data
-// of a checkpoint, or the text of the checkpoint.
+// Tests that on a full disk, as much of the search as fits is saved. This holds for each write that may fail: rows, the
+// other data of a checkpoint, or the text of the checkpoint.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void fill(RowStore& store, unsigned rows) {
     }
 }
 
-/// Returns the number of levels in the newest checkpoint, all of whose files must be readable; 0 if there is none.
+/// Returns the number of levels in the newest checkpoint, or 0 if there is none. All of its files must be readable.
 std::uint32_t levels_kept(const KeptWhere& where) {
     std::uint64_t newest = 0;
     for (const auto& entry : fs::directory_iterator(where.folder)) {
@@ -56,7 +56,7 @@ std::uint32_t levels_kept(const KeptWhere& where) {
     return files.levels();
 }
 
-/// Returns the percentage of written levels that the checkpoint contains. 99 means all or nearly all.
+/// Returns the percentage of written levels that the checkpoint contains. 99 means all or nearly all levels.
 int kept_of_hundred(const KeptWhere& where, RowStore& store, unsigned rows) {
     try {
         fill(store, rows);
@@ -76,8 +76,8 @@ protected:
     diagnostics::TemporaryFolder folder_{"", error_};
 };
 
-// A checkpoint needs at least one page for its text, and one or two for each level that is given up. At most half of
-// all levels are lost, if the number of levels to give up is doubled once too often.
+// A checkpoint needs at least one page for its text. To make space, levels are given up, each of which frees one or two
+// pages. At most half of all levels are lost, if the number of levels to give up is doubled once too often.
 TEST_F(FullDisks, KeepLevelsOfAnySize) {
     for (const unsigned rows : {20U, 200U, 3000U})
         for (const unsigned kibibytes : {100U, 200U}) {
@@ -94,7 +94,7 @@ TEST_F(FullDisks, KeepLevelsOfAnySize) {
         }
 }
 
-// Some closed levels in memory are not written; the written ones are saved.
+// Some closed levels are only in memory. The checkpoint contains the levels that are written.
 TEST_F(FullDisks, KeepWhatWasWrittenOfLevelsInMemory) {
     for (const unsigned kibibytes : {100U, 200U}) {
         const int percentage = tests::on_small_disk(folder_.path(), kibibytes, [&] {
@@ -109,7 +109,7 @@ TEST_F(FullDisks, KeepWhatWasWrittenOfLevelsInMemory) {
     }
 }
 
-// Failed attempts remove the data that they wrote next to the levels, so that a checkpoint of fewer levels fits.
+// Failed attempts remove the data that they wrote next to the levels. So a checkpoint of fewer levels fits.
 TEST_F(FullDisks, AreNotFilledByAttemptsThatFail) {
     const int percentage = tests::on_small_disk(folder_.path(), 600, [&] {
         std::mt19937 random(3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A search that is resumed with another number of ranks has each row once, and rejects parts with a duplicate row.
+// Tests a search that is resumed with another number of ranks. It has each row once, and rejects parts with a duplicate
+// row.
 #include "checker/refine/levels/kept_levels.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +15,8 @@ namespace {
 
 using lts::Word;
 
-/// Stores these rows at two ranks, and resumes with one rank. Returns the rows of level 0, or the reason for a
-/// rejection.
+/// Stores these rows at two ranks, and resumes with one rank. Returns the rows of level 0 in `rows`, or the reason for
+/// a rejection.
 std::string gone_on_from(const std::vector<Word>& first, const std::vector<Word>& second, std::vector<Word>& rows) {
     std::string error;
     const diagnostics::TemporaryFolder folder("", error);

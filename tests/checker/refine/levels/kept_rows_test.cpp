@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Row stores that use files behave like rows in memory: same levels, figures, violations and tau cycles. This must also
-// hold if the search is stopped repeatedly and resumed from its checkpoints, in another store or by other ranks, and if
-// small filters take many new rows for old ones.
+// Tests that row stores that use files behave like rows in memory: same levels, figures, violations and tau cycles.
+// This must also hold if the search is stopped repeatedly and resumed from its checkpoints, in another store or by
+// other ranks. It must hold as well if small filters mistake many new rows for old ones.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -33,7 +33,7 @@ namespace {
 using lts::Graph;
 using process::Event;
 
-/// Some graphs have many levels, and some have wide levels. Edges lead forward, back and anywhere.
+/// Returns a random graph with many levels or with wide levels. Edges lead forward, back or to any state.
 Graph random_graph(std::mt19937& random, std::size_t states, bool deadlocks, unsigned taus) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
@@ -74,7 +74,7 @@ std::vector<std::vector<lts::Word>> states_of(const Run& run) {
 
 using MakeStore = std::function<std::unique_ptr<RowStore>(const Exchange&)>;
 
-/// The levels that all ranks of a search have when it starts and when it ends.
+/// The levels that all ranks of a search have in common when it starts and when it ends.
 struct CommonLevels {
     Level begun = std::numeric_limits<Level>::max(), ended = begun;
     bool differ = false;    ///< at the end the ranks have different numbers of levels
@@ -121,7 +121,7 @@ Answer answer(const Graph& graph, unsigned ranks, const Limits& limits, const Ma
 
 class KeptRows : public testing::Test {
 protected:
-    /// A separate folder for each search.
+    /// Returns a separate folder for each search.
     [[nodiscard]] KeptWhere folder_for(const Exchange& exchange, std::uint8_t search) const {
         KeptWhere where;
         where.folder = folder_.path();
@@ -135,7 +135,7 @@ protected:
             };
         return where;
     }
-    /// The newest complete checkpoint in the folder.
+    /// Returns the newest complete checkpoint in the folder.
     [[nodiscard]] std::vector<storage::Checkpoint> newest_checkpoints() const {
         const LoneExchange alone;
         const KeptWhere all = folder_for(alone, 1);
@@ -199,8 +199,8 @@ TEST_F(KeptRows, OnDiskAreThoseInMemory) {
     EXPECT_GT(cycles, 8U);
 }
 
-// Each search is stopped by a limit at a random time, and resumed as often as needed, with other ranks, in memory or on
-// disk.
+// A limit stops each search at a random time. The search is resumed as often as needed, with other ranks, in memory or
+// on disk.
 TEST_F(KeptRows, GoOnFromCheckpoints) {
     std::mt19937 random(6);
     int stops = 0;
@@ -248,7 +248,8 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
     EXPECT_GT(stops, 50);
 }
 
-/// A graph with a few levels, each about ten times as wide as the previous one. Its rows are reached several times.
+/// Returns a graph with a few levels, each about ten times as wide as the previous one. Most of its rows are reached
+/// several times.
 Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
@@ -266,12 +267,12 @@ Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
 /// The time at which a limit is reached.
 struct Moment {
     bool closing = false;  ///< when a level is closed; otherwise during long work
-    int number = 0;        ///< the number of such moments of the first rank so far
+    int number = 0;        ///< how often the first rank has met this situation so far
 };
 
 // Only the first rank reaches the limit. This happens when it closes a level, or while it merges runs, reads the files,
-// fills the filter or rolls back. Other ranks have then closed one level more, or discarded some. The levels that all
-// ranks have are saved.
+// fills the filter or rolls back. At this time, other ranks have closed one level more, or have discarded some. The
+// levels that all ranks have are saved.
 TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     std::mt19937 random(9);
     int differed = 0;
@@ -281,7 +282,7 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     const auto stop_and_go_on = [&](const Graph& graph, const Answer& expected, unsigned ranks, Moment last) {
         clear();
         stopped = false;
-        // With this little memory, some levels were rolled back before they are closed.
+        // Memory is so small that some levels are rolled back before they are closed.
         bounds.most_bytes = last.closing ? 1U << 11U : 0;
         bounds.reads_a_step = last.closing || last.number % 2 == 0 ? 0 : 8;
         CommonLevels before, after;
@@ -335,7 +336,7 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
 }
 
 // A full disk may stop the closing of a level, the writing of rows or of a checkpoint, or a rollback. As many levels
-// are saved as fit, and never fewer than before. Another run with free space continues.
+// are saved as fit, and never fewer than before. Another run continues when there is free space.
 TEST_F(KeptRows, GoOnAfterAFullDisk) {
     std::mt19937 random(10);
     int stops = 0, kept_more = 0;
@@ -398,7 +399,7 @@ private:
     const process::EventTable& events_;
 };
 
-// Without a level another run could not resume.
+// Without a level, another run could not resume from the checkpoint.
 TEST_F(KeptRows, HaveNoCheckpointBeforeTheFirstLevel) {
     const process::EventTable table;
     Endless system(table);
@@ -438,7 +439,8 @@ TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
     EXPECT_EQ(found[0].levels, store.levels());
 }
 
-// During a rollback, the levels that are rolled back exist only in files. They are not lost if it is stopped.
+// During a rollback, the levels that are rolled back exist only in files. They must not be lost if the rollback is
+// stopped.
 TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     LoneExchange alone;
     KeptWhere where = this->folder_for(alone, 1);
@@ -467,7 +469,7 @@ TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     EXPECT_FALSE(again.settle_unsure_rows());
 }
 
-/// The reason why the checkpoint in the folder is rejected.
+/// Returns the reason why the checkpoint in the folder is rejected.
 std::string refusal(KeptWhere where) {
     where.from = storage::newest_in(where.folder);
     try {
@@ -514,7 +516,7 @@ TEST_F(KeptRows, RestartAfterIncompleteCheckpoints) {
     EXPECT_EQ(newest_checkpoints().at(0).number, 8U);
 }
 
-// The reported error is that of the rank in which it occurred, independently of the reports of other ranks.
+// The reported error is that of the rank in which it occurred, whatever the other ranks report.
 TEST(Ranks, ThrowTheErrorOfTheRankThatHasMetIt) {
     const auto work = [](Exchange& exchange) {
         SharedWork shared(exchange);
@@ -538,8 +540,8 @@ std::uint64_t virtual_pages() {
     return pages;
 }
 
-/// Returns the exit code of a program without memory for the stacks of many threads. It is 3 if the program reports a
-/// limit with these words.
+/// Runs `work` in a program without memory for the stacks of many threads. Returns its exit code, which is 3 if the
+/// program reports a limit with these words.
 int end_without_stacks(const std::string& words, const std::function<void()>& work) {
     const pid_t child = fork();
     if (child == 0) {
@@ -570,7 +572,7 @@ TEST(Ranks, EndWhereAThreadCannotBeStarted) {
     EXPECT_EQ(end_without_stacks("200 threads cannot be started", [&] { as_ranks(200, work); }), 3);
 }
 
-// The other program is notified, and both leave together.
+// The other program is notified, and both programs leave together.
 TEST(Ranks, EndTogetherWhereAThreadOfAProgramCannotBeStarted) {
     const auto work = [](Exchange& exchange) { exchange.sum({}); };
     const auto as_two_programs = [&] {
@@ -588,8 +590,8 @@ TEST(Ranks, EndTogetherWhereAThreadOfAProgramCannotBeStarted) {
 
 TEST(RowFilters, ContainAllRowsAndHaveFewFalsePositives) {
     std::mt19937_64 random(7);
-    // A lookup compares the entries of about two buckets: 7.6 each with 4 bits and with 1 bit (53 in seven parts), 0.8
-    // with 16 bits.
+    // A lookup compares the entries of about two buckets. With 4 bits and with 1 bit, it compares 7.6 entries in each
+    // bucket (53 entries in seven parts), and with 16 bits 0.8.
     struct Expected {
         unsigned bits;
         int least, most;  ///< false positives
@@ -613,9 +615,9 @@ TEST(RowFilters, ContainAllRowsAndHaveFewFalsePositives) {
     }
 }
 
-// The size of an entry depends on the number of rows. With 32 bits, 64 bytes store 14 rows in 49 parts, and 19 of 20
-// places are used. With 24, 16 and 8 bits, they store 18 rows in 45, 28 in 35 and 56 in 7 parts. With 24 bits, 11,000
-// rows have almost no false positive; 10 million rows have half a false positive on average.
+// The number of bits of an entry depends on the number of rows. With 32 bits, 64 bytes store 14 rows in 49 parts, and
+// 19 of 20 slots are used. With 24, 16 and 8 bits, they store 18 rows in 45 parts, 28 in 35 and 56 in 7. With 24 bits,
+// 11,000 rows cause almost no false positive, and 10 million rows cause half a false positive on average.
 TEST(RowFilters, KeepFewerBitsWhereMemoryIsShort) {
     RowFilter filter(32, 64'000);
     const std::tuple<std::uint64_t, double, double> expected[] = {

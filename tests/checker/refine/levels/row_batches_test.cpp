@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that are sent to other ranks, and the filter of rows that need not be sent again.
+// Tests rows that are sent to other ranks, and the filter of rows that need not be sent again.
 #include "checker/refine/levels/row_batches.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace robochart::refine {
 namespace {
 
-/// The rows exceed the initial capacity of a message. There are two rounds, and in the second one only one rank sends.
+/// The rows exceed the initial capacity of a message. There are two rounds, and only one rank sends in the second one.
 TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
     constexpr lts::Word count = 1000;
     as_ranks(3, [](Exchange& exchange) {
@@ -46,7 +46,7 @@ TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
     });
 }
 
-/// Two rows with the same hash are not confused.
+/// The filter does not confuse two rows with the same hash.
 TEST(SentRows, CompareRowsAsAWhole) {
     SentRows sent(2);
     constexpr std::uint64_t hash = 12345;

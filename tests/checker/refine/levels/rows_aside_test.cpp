@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that are set aside. Each row is returned with its lowest level first, for any number of rows, and no row is lost
-// if the disk is full.
+// Tests rows that are set aside. Each row is returned once with its lowest level, for any number of rows. No row is
+// lost if the disk is full.
 #include "checker/refine/levels/rows_aside.hpp"
 
 #include <gtest/gtest.h>
@@ -20,13 +20,13 @@ using Row = std::vector<Word>;
 
 class AsideRows : public testing::Test {
 protected:
-    /// Adds a random row. The first level of a repeated row counts, because levels ascend.
+    /// Adds a random row. Levels ascend, so the first level of a repeated row is its lowest one.
     void add(Level level) {
         const Row row{static_cast<Word>(random_() % 20), static_cast<Word>(random_() % 50)};
         aside_.add(row, lts::StateStore::hash(row), level);
         added_.emplace(row, level);
     }
-    /// The rows that the pieces return, in the order of each piece.
+    /// Returns the rows of all pieces. Checks the order of each piece.
     [[nodiscard]] std::map<Row, Level> rows_of_pieces() const {
         std::map<Row, Level> all;
         aside_.each_piece([&](const std::vector<Word>& rows) {

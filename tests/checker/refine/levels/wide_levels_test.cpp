@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels of several blocks: rows that are reached again are found in each block.
+// Tests levels of several blocks: rows that are reached again are found in each block.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -18,7 +18,7 @@ void enter(RowStore& store, const Row& row) {
     store.enter_row(row, lts::StateStore::hash(row));
 }
 
-// Many rows of a level are reached again in the next level, from all its blocks. None of them is new, and none causes a
+// The next level reaches many rows of all blocks of the previous level again. None of them is new, and none causes a
 // rollback.
 TEST(WideLevels, HaveRowsInAllTheirBlocks) {
     for (const std::size_t width : {2U, 3U, 5U}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Antichains compared with the search of all pairs, on random nondeterministic systems, and a specification whose
-// normal form is too large to build.
+// Compares antichains with the search of all pairs, on random nondeterministic systems. Tests also a specification
+// whose normal form is too large to build.
 #include "checker/refine/search/antichain.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(Antichains, GiveTheShortestViolationsOfAllPairs) {
     EXPECT_GT(saved, 200);
 }
 
-/// A graph that accepts words of a and b, guesses that the k-th last letter was a, and then ends.
+/// Returns a graph that accepts words of a and b, guesses that the k-th last letter was a, and then ends.
 Graph kth_last_letter(lts::StateIndex k) {
     constexpr Event a = process::first_visible;
     Graph graph;
@@ -97,8 +97,8 @@ Graph kth_last_letter(lts::StateIndex k) {
     return graph;
 }
 
-/// Another thread may request the same node after the limit refused it. It must be refused again, and must not get a
-/// number without a node.
+/// After the limit has refused a node, another thread may request the same node. It must be refused again, and must not
+/// get a number without a node.
 TEST(NormalForms, RefuseANodeBeyondTheLimitEachTime) {
     const process::EventTable table;
     const Graph graph = kth_last_letter(16);

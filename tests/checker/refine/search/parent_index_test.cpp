@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parents in two bits per state, compared with a plain list of parents.
+// Compares parents that are stored in two bits per state with a plain list of parents.
 #include "checker/refine/search/parent_index.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,7 @@ TEST(ParentIndex, RemembersTheParentOfEveryState) {
     ParentIndex index;
     std::vector<lts::StateIndex> parents{lts::no_state};
     for (lts::StateIndex state = 0; state < 40000; ++state) {
-        // There are long stretches of states without children, and others with many. There is always a state left to
-        // expand.
+        // Some long stretches of states have no children, and other states have many. A state is always left to expand.
         std::uint32_t found = state % 1000 < 700 ? 0 : static_cast<std::uint32_t>(random() % 8);
         if (state + 1 == parents.size()) found += 150;
         index.add_expanded_state(found);

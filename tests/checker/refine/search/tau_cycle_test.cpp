@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tau cycles compared with reachability, computed edge by edge.
+// Compares tau cycles with reachability, which is computed edge by edge.
 #include "checker/refine/search/tau_cycle.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST(TauCycle, AgreesWithReachability) {
     EXPECT_GT(without, 200);
 }
 
-/// A path that is too long for recursion. Only edges that lead to an entry of a possible cycle are followed.
+/// The path is too long for recursion. The search follows only edges that lead to an entry of a possible cycle.
 TEST(TauCycle, LooksOnlyWhereABackwardEdgeLeads) {
     constexpr StateIndex size = 1'000'000;
     std::size_t calls = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts, counterexamples and figures are the same for any number of threads. Every level counts as wide here, so all
-// threads take part in small systems too.
+// Tests that verdicts, counterexamples and figures are the same for any number of threads. Here every level counts as
+// wide, so all threads take part in small systems too.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,7 +17,7 @@ using process::Event;
 
 constexpr Event events = 5;  // in addition to tau and tick
 
-/// Returns a graph that is mostly wide and shallow. `stuck` of a thousand states have no transitions.
+/// Returns a graph that is mostly wide and shallow. Of a thousand states, `stuck` have no transitions.
 Graph random_graph(std::mt19937& random, std::size_t states, unsigned taus, unsigned stuck) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {

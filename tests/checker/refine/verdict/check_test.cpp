@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Single verdicts that follow from the models' definitions by hand, and the contents of counterexamples.
+// Tests verdicts that follow from the models' definitions by hand, and the contents of counterexamples.
 #include "checker/refine/verdict/check.hpp"
 #include "checker/process/bisimulation_compressor.hpp"
 #include "checker/process/term_system.hpp"
@@ -82,8 +82,8 @@ TEST_F(Checks, NothingBelowADivergenceOfTheSpecificationMatters) {
 TEST_F(Checks, TerminationIsAutonomous) {
     EXPECT_TRUE(holds(either(skip, stop), skip, FD));
     EXPECT_FALSE(holds(skip, stop, F));
-    EXPECT_FALSE(holds(stop, skip, T));                                     // ✓ is an event in traces
-    EXPECT_TRUE(holds(choice(a, skip), skip, FD));                          // P [] SKIP may end by itself, refusing a
+    EXPECT_FALSE(holds(stop, skip, T));             // ✓ is an event of traces
+    EXPECT_TRUE(holds(choice(a, skip), skip, FD));  // P [] SKIP may terminate without its environment, refusing a
     EXPECT_TRUE(holds(choice(a, skip), s.op(Op::sliding, {a, skip}), FD));  // UCS: P [] SKIP = P [> SKIP
     EXPECT_TRUE(holds(s.op(Op::sliding, {a, skip}), choice(a, skip), FD));
     EXPECT_FALSE(holds(choice(a, skip), either(a, skip), F));  // offering only a refuses tick
@@ -205,7 +205,7 @@ protected:
     TermId compressed(TermId term, Compression kind) {
         return s.op(Op::compress, {term}, static_cast<std::uint32_t>(kind));
     }
-    /// Twelve independent cycles of two events, all hidden except the first.
+    /// Returns twelve independent cycles of two events, all hidden except the first.
     TermId wide() {
         std::vector<TermId> parts;
         std::vector<std::string> hidden;
@@ -226,7 +226,7 @@ TEST_F(CompressedChecks, ACompressedProcessIsSmallAndKeepsItsNames) {
     EXPECT_EQ(divergence_free(whole, limits).statistics.states, 4096U);
     const Verdict verdict = divergence_free(small, limits);
     EXPECT_EQ(verdict.outcome, Outcome::holds);
-    EXPECT_LE(verdict.statistics.states, 2U);  // it only repeats p0
+    EXPECT_LE(verdict.statistics.states, 2U);  // the search only repeats p0
     process::TermSystem nothing(compressing, stop);
     const Verdict wrong = refines(nothing, small, T, limits);
     ASSERT_EQ(wrong.outcome, Outcome::fails);
@@ -260,7 +260,7 @@ TEST_F(Checks, FaultsOfEvaluationPass) {
                  process::SemanticsError);
 }
 
-// The sizes are such that a quadratic search would take too long: a long tau path, and a cycle through all its states.
+// A long tau path, and a cycle through all its states. With these sizes, a quadratic search would take too long.
 TEST_F(Checks, DivergenceIsFoundInLinearTime) {
     constexpr int length = static_cast<int>(tests::size_of_input(8000));
     TermId line = stop;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests specifications with external choices whose operands are internal choices. The expected acceptances are computed
-// by hand from the denotational semantics of [] (UCS 10 and 11). tests/checker/refine/agreement_test.cpp compares
-// verdicts about random processes with a checker that builds the product of the operands.
+// Tests specifications with external choices between internal choices. The expected acceptances are computed by hand
+// from the denotational semantics of [] (UCS 10 and 11). tests/checker/refine/agreement_test.cpp compares verdicts
+// about random processes with a checker that builds the product of the operands.
 #include "checker/refine/verdict/choice_graph.hpp"
 
 #include <gmock/gmock.h>
@@ -42,7 +42,7 @@ protected:
     TermId any(std::vector<TermId> operands) { return s.op(Op::internal_choice, std::move(operands)); }
     TermId event(const std::string& name) { return s.prefix(name, stop); }
 
-    /// The minimal acceptances before the first event, with the events' names.
+    /// Returns the minimal acceptances before the first event, with the events' names.
     std::vector<std::vector<std::string>> acceptances(TermId term) {
         process::TermSystem system(semantics, term);
         NormalForm normal(system, budget);
@@ -64,7 +64,7 @@ protected:
         process::TermSystem right(semantics, implementation);
         return refines(left, right, model, limits);
     }
-    /// [] i @ (hi -> next |~| (|~| j @ dj -> next)), with as many events h as events d.
+    /// Returns [] i @ (hi -> next |~| (|~| j @ dj -> next)), with as many events h as events d.
     TermId guarded(int events, TermId next) {
         std::vector<TermId> operands;
         for (int i = 0; i < events; ++i) {
@@ -92,13 +92,13 @@ TEST_F(Choices, InsideOperandsAreSplitToo) {
                                      ElementsAre("b", "c", "f"), ElementsAre("b", "d", "f")));
 }
 
-// SKIP [] P = SKIP |> P: the option to terminate is autonomous (stability.hpp).
+// SKIP [] P = SKIP |> P: the process may choose to terminate without its environment (stability.hpp).
 TEST_F(Choices, TerminateIfAnOperandDoes) {
     const std::string tick = s.events.name(process::tick);
     EXPECT_THAT(acceptances(all({any({s.skip(), event("a")}), event("b")})),
                 UnorderedElementsAre(ElementsAre(tick), ElementsAre("a", "b")));
     EXPECT_THAT(acceptances(all({s.skip(), any({event("a"), event("b")})})), ElementsAre(ElementsAre(tick)));
-    // The inner choice may stop or terminate: its only minimal acceptance is empty.
+    // The inner choice may stop or terminate, so its only minimal acceptance is empty.
     const TermId inner = all({stop, any({s.skip(), stop})});
     EXPECT_THAT(acceptances(inner), ElementsAre(IsEmpty()));
     EXPECT_THAT(acceptances(all({inner, event("a")})), UnorderedElementsAre(ElementsAre(tick), ElementsAre("a")));
@@ -114,7 +114,7 @@ TEST_F(Choices, DivergeIfAnOperandDoes) {
 }
 
 TEST_F(Choices, AreNotMultipliedOut) {
-    constexpr int events = 12;  // 14 states for each operand, and 14^12 for the choice
+    constexpr int events = 12;  // each operand has 14 states, and the choice has 14^12
     const TermId again = s.name("P");
     s.bind(again, guarded(events, again));
     std::vector<TermId> inputs;
@@ -137,8 +137,8 @@ TEST_F(Choices, AreNotMultipliedOut) {
     EXPECT_LT(s.store.size(), 1000U);
 }
 
-// After n times x and go, the specification is a choice with n levels; from some level on, choices are resolved. Level
-// 1 accepts {a, c} or {b, c}, and so does every later one.
+// After n times x and go, the specification is a choice with n levels. Beyond a certain depth, the normal form resolves
+// choices. Level 1 accepts {a, c} or {b, c}, and so does every later level.
 TEST_F(Choices, MayBeNestedDeeply) {
     constexpr int levels = 150;
     std::vector<TermId> nested{event("a")};
@@ -163,7 +163,7 @@ TEST_F(Choices, ThatTausUnfoldForeverReachALimit) {
     EXPECT_EQ(check(endless, event("b"), Model::traces).outcome, Outcome::inconclusive);
 }
 
-/// A system that does not know its choices, so its normal form multiplies them out.
+/// A system that does not report its choices, so that its normal form multiplies them out.
 class WithoutChoices final : public lts::TransitionSystem {
 public:
     explicit WithoutChoices(process::TermSystem inner) : inner_(std::move(inner)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings are decoded as they were encoded, and other bytes are rejected.
+// Tests that findings are decoded as they were encoded, and that other bytes are rejected.
 #include "checker/refine/verdict/findings.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(FindingsTest, OtherBytesAreNone) {
     no_way[0] = 5;
     EXPECT_FALSE(decode(no_way, named, width)) << "a way to decide that does not exist";
     std::string wrong_kind = bytes;
-    wrong_kind[10 * 8] = 99;  // after ten figures: whether there is a violation
+    wrong_kind[10 * 8] = 99;  // the byte after the ten figures says whether there is a violation
     EXPECT_FALSE(decode(wrong_kind, named, width));
     std::string endless = bytes;
     for (std::size_t i = 14 * 8; i < 15 * 8; ++i) endless[i] = '\xff';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks whose searches are stored in a folder. They have the same answers, figures and counterexamples as level
-// searches in memory, even after kills at any time. Folders that belong to other runs are rejected.
+// Tests checks whose searches are stored in a folder. They have the same answers, figures and counterexamples as level
+// searches in memory, even after kills at any time. They reject folders of other runs.
 #include "checker/refine/verdict/kept_search.hpp"
 
 #include <fcntl.h>
@@ -27,13 +27,13 @@
 
 namespace {
 
-/// Whether the file system supports locks.
+/// True if the file system supports locks.
 bool has_locks = true;
 
 }  // namespace
 
-/// Locks files as NFS does (flock(2), "NFS details"): an exclusive lock needs a file that is open for writing, and
-/// locks of folders are not visible to other machines.
+/// Replaces flock, and locks files as NFS does (flock(2), "NFS details"): an exclusive lock needs a file that is open
+/// for writing, and other machines do not see locks of folders.
 extern "C" int flock(int file, int operation) noexcept {
     struct stat found {};
     (void)::fstat(file, &found);
@@ -52,7 +52,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// Levels of thousands of states, with a deadlock at the end, a tau cycle, or neither.
+/// Returns a graph with levels of thousands of states, and with a deadlock at the end, a tau cycle, or neither.
 lts::Graph wide_graph(unsigned seed, bool deadlock, bool divergence) {
     std::mt19937 random(seed);
     lts::Graph graph;
@@ -106,7 +106,7 @@ protected:
         hasher.add(std::string_view(text));
         return hasher.finish();
     }
-    /// Answers, figures and runs.
+    /// Returns the answers, figures and runs.
     std::string decide(LevelStrategy& strategy, std::uint64_t most_states = 1'000'000) {
         std::string all;
         for (const Asked& question : asked_) {
@@ -141,7 +141,7 @@ protected:
     diagnostics::TemporaryFolder folder_{"", error_};
     std::vector<Asked> asked_;
     ThreadRanks threads_{1};
-    std::uint64_t rolled_back_ = 0;  ///< over all searches
+    std::uint64_t rolled_back_ = 0;  ///< of all searches
 };
 
 TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
@@ -311,7 +311,7 @@ TEST_F(KeptSearches, LeaveNothingWhereNothingWasAsked) {
     EXPECT_FALSE(fs::exists(checkpoint_folder()));
 }
 
-// Answers are needed until the verb reports that all questions are decided.
+// The folder keeps answers until the verb reports that all questions are decided.
 TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
     const auto decided = [&](KeptSearch& search) {
         search.begin_question("holds");
@@ -327,7 +327,7 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
         KeptSearch search(settings(true, false), threads_);
         EXPECT_EQ(search.answers()->find(digest("holds")), "yes");
         decided(search);
-        search.begin_question("other");  // and is never given a digest
+        search.begin_question("other");  // which never gets a digest
         search.all_asked();
     }
     KeptSearch search(settings(true, false), threads_);
@@ -343,8 +343,8 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
     EXPECT_FALSE(fs::exists(checkpoint_folder()));
 }
 
-// If an answer was not saved, only its search remains.
-// A check that begins again with wider rows identifies its assertion again.
+// If an answer was not saved, only its search remains. The check begins again with wider rows, and identifies its
+// assertion again.
 TEST_F(KeptSearches, IdentifyAQuestionAgainAfterARunThatNeverDid) {
     {
         KeptSearch search(settings(false, false), threads_);
@@ -411,7 +411,7 @@ TEST_F(KeptSearches, SayWhereTheFileSystemHasNoLocks) {
     EXPECT_EQ(decide(search), in_memory());
 }
 
-// A lock on a removed file does not count: a run that removed the lock file of the folder has ended.
+// A lock on a removed file is ignored, because a run that has removed the lock file of the folder has ended.
 TEST_F(KeptSearches, LockTheFileThatIsThere) {
     const std::string path = folder_.path() + "/lock";
     const diagnostics::Descriptor before = storage::open_to_lock(path, true);

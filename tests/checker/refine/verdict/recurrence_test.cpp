@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests AG EF of an event by hand, and for random processes by comparison with a forward search from each state.
+// Tests AG EF of an event with verdicts by hand. For random processes, compares it with a forward search from each
+// state.
 #include "checker/refine/verdict/recurrence.hpp"
 
 #include <gmock/gmock.h>
@@ -59,7 +60,7 @@ TEST_F(Recurrence, WhatHappensOnceCannotComeAgain) {
     EXPECT_EQ(decided(once, {"a", "b"}).outcome, Outcome::holds) << "one of several suffices";
 }
 
-/// The goal can be lost after two and after three steps. The counterexample shows the shorter path.
+/// The goal can become unreachable after two and after three steps. The counterexample shows the shorter path.
 TEST_F(Recurrence, TheNearestLossIsShown) {
     const TermId home = s.name("Home");
     const auto back_or = [&](const std::string& event, TermId target) {
@@ -71,8 +72,8 @@ TEST_F(Recurrence, TheNearestLossIsShown) {
     EXPECT_THAT(run_of(verdict), ElementsAre("c", "d"));
 }
 
-/// One run that reaches the goal is enough, for any resolution of internal choices. A wrong internal choice that
-/// excludes the goal is a loss.
+/// The goal is still reachable if one run reaches it, however internal choices are resolved on the way. If one internal
+/// choice excludes the goal, the goal is lost.
 TEST_F(Recurrence, InternalStepsCount) {
     const TermId good = s.name("Good");
     const TermId rest = s.name("Rest");

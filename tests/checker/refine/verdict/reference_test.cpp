@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference checks the engine: it detects invented counterexamples and reports its own run if the engine differs.
-// The inverse firing rules give every step of every operator a derivation.
+// Tests that the reference checks the engine: it detects invented counterexamples, and reports its own run if the
+// engine differs. Tests also that the inverse firing rules give a derivation for every step of every operator.
 #include "checker/refine/verdict/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ protected:
     process::OperationalSemantics semantics{s.store};
     Limits limits;
 
-    /// Runs one process in the engine and another one in the reference.
+    /// Runs one process in the engine, and another process in the reference.
     Verdict deadlock_of(TermId engine, TermId reference) {
         process::TermSystem system(semantics, engine);
         system.set_reference(std::make_shared<process::TermSystem>(semantics, reference));
@@ -79,7 +79,8 @@ TEST_F(Reference, DivergencesAndRefusalsAreComparedWithIt) {
     EXPECT_THROW((void)refuses(s.stop(), s.prefix("a", s.stop())), std::logic_error);
 }
 
-/// Each move of a derivation is a transition of its operand, and the moves lead to the target of the step.
+/// Checks that each move of a derivation is a transition of its operand, and that the moves lead to the target of the
+/// step.
 void check_derivations(Translation& translation, TermId state) {
     process::OperationalSemantics& semantics = translation.semantics();
     const process::Term term = semantics.terms()[state];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The replay detects a checker that reports a wrong counterexample.
+// Tests that the replay detects a checker that reports a wrong counterexample.
 #include "checker/refine/verdict/replay.hpp"
 #include "checker/process/term_system.hpp"
 

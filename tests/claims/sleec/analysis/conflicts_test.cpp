@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conflicts and redundancy by the default semantics: the seven faults of SLEEC-TK with the correct verdicts
-// (shared/reference, sleec.md 2), and cases whose verdicts follow from docs/rules-language.md by hand.
+// Tests conflicts and redundancy by the default semantics. For the seven faults of SLEEC-TK (shared/reference, sleec.md
+// 2), the correct verdicts are expected. The other verdicts follow from docs/rules-language.md by hand.
 #include <gtest/gtest.h>
 
 #include "claims/sleec/analysis/conflicts.hpp"
@@ -19,7 +19,7 @@ CheckedRules rules_of(const std::string& rules) {
     return *read.checked;
 }
 
-/// "R1-R2 R3": the conflicts, with rules by name.
+/// Returns the conflicts, with rules by name: "R1-R2 R3".
 std::string conflicts(const std::string& rules, WithoutLimit without = WithoutLimit::eventually) {
     const CheckedRules checked = rules_of(rules);
     std::string text;
@@ -44,7 +44,7 @@ TEST(SleecConflicts, WindowsMeetOrNot) {
     EXPECT_EQ(conflicts("A when Go then Stop\nB when Halt then not Stop"), "A-B") << "never again";
 }
 
-/// `_` is each value; two different values are different events.
+/// `_` matches each value. Events with different values are different events.
 TEST(SleecConflicts, OfArguments) {
     const std::string one = "A when Go(1) then Stop(1) within 5 seconds\n";
     EXPECT_EQ(conflicts(one + "B when Halt then not Stop(2) within 9 seconds"), "");
@@ -72,14 +72,14 @@ TEST(SleecConflicts, ArgumentsMakeRulesRedundant) {
     EXPECT_FALSE(redundant("when Go then not Stop(_) within 5 seconds", "when Go then not Stop(1) within 5 seconds"));
 }
 
-/// The correct verdicts for fault 1 of SLEEC-TK, `>=` on a scale.
+/// Fault 1 of SLEEC-TK is about `>=` on a scale. These verdicts are correct.
 TEST(SleecConflicts, OfScales) {
     const std::string stop = "A1 when Go and load >= mid then Stop within 2 seconds\n";
     EXPECT_EQ(conflicts(stop + "A2 when Go and load = mid then not Stop within 5 seconds"), "A1-A2");
 }
 
-/// The correct verdicts for fault 2 of SLEEC-TK, a defeater inside a defeater. A single Go causes no conflict, but near
-/// and safe may change between two.
+/// Fault 2 of SLEEC-TK is about a defeater inside a defeater. These verdicts are correct: a single Go causes no
+/// conflict, but near and safe may change between two.
 TEST(SleecConflicts, OfNestedDefeaters) {
     const std::string help =
         "B1 when Go then Alarm within 2 seconds unless near then {Help within 3 seconds unless safe}\n";
@@ -95,21 +95,21 @@ TEST(SleecConflicts, OfNestedDefeaters) {
         << "Help is never asked for";
 }
 
-/// The correct verdict for fault 3 of SLEEC-TK: measures change between triggers.
+/// Fault 3 of SLEEC-TK ignores that measures change between triggers. This verdict is correct.
 TEST(SleecConflicts, OfMeasuresThatChange) {
     EXPECT_EQ(conflicts("C1 when Go and near then Stop within 10 seconds\n"
                         "C2 when Halt and not near then not Stop within 60 seconds"),
               "C1-C2");
 }
 
-/// The correct verdict for fault 4 of SLEEC-TK: an active rule does not refuse its trigger.
+/// Fault 4 of SLEEC-TK lets an active rule refuse its trigger. By the correct verdict, it does not.
 TEST(SleecConflicts, NotOfTriggers) {
     EXPECT_EQ(conflicts("D1 when Go then Halt within 3 seconds\n"
                         "C2 when Halt and not near then not Stop within 60 seconds"),
               "");
 }
 
-/// The correct verdicts for fault 5 of SLEEC-TK, scales that share a value.
+/// Fault 5 of SLEEC-TK is about scales that share a value. These verdicts are correct.
 TEST(SleecConflicts, OfScalesThatShareAValue) {
     Read read(
         "def_start event Go event Stop measure a : scale(low, moderate) measure b : scale(moderate, high) def_end\n"
@@ -119,7 +119,7 @@ TEST(SleecConflicts, OfScalesThatShareAValue) {
     EXPECT_EQ(find_conflict(*read.checked, {0, 1}, {}).conflict, Answer::yes);
 }
 
-/// The correct verdicts for fault 6 of SLEEC-TK, a conflict of three rules no two of which are in conflict.
+/// Fault 6 of SLEEC-TK is about a conflict of three rules, no two of which are in conflict. These verdicts are correct.
 TEST(SleecConflicts, OfThree) {
     const std::string alarm = "R1 when Go then Alarm within 5 seconds otherwise Help within 0 seconds\n";
     const std::string no_alarm = "R2 when Halt then not Alarm within 9 seconds\n";
@@ -129,8 +129,8 @@ TEST(SleecConflicts, OfThree) {
     EXPECT_EQ(conflicts(alarm + no_alarm + no_help), "R1-R2-R3");
 }
 
-/// The correct behaviour for fault 7 of SLEEC-TK: the state space does not grow with measures that the rules do not
-/// distinguish.
+/// Fault 7 of SLEEC-TK is about measures that the rules do not distinguish. Here, the state space does not grow with
+/// them.
 TEST(SleecConflicts, AreFewStatesWithManyMeasures) {
     std::string text = "def_start event Go event Stop ";
     std::string all = "m0";
@@ -145,8 +145,8 @@ TEST(SleecConflicts, AreFewStatesWithManyMeasures) {
     EXPECT_LT(answer.states, 20'000U);
 }
 
-/// Alarm at 2 seconds excludes the second alternative, so Stop must occur at that instant, which B forbids. No rule
-/// requests this Alarm.
+/// The alternatives of A remain possible until Alarm occurs at second 2. Alarm excludes the second alternative, so Stop
+/// must occur at that instant, which B forbids. No rule requests this Alarm.
 TEST(SleecConflicts, OfAlternativesThatAreGivenAway) {
     EXPECT_EQ(conflicts("A when Go then Stop within 2 seconds otherwise not Alarm within 3 seconds\n"
                         "B when Halt then not Stop within 1 seconds"),
@@ -160,7 +160,8 @@ TEST(SleecConflicts, OfARuleWithItself) {
               "");
 }
 
-/// Only histories that satisfy the rules so far count: Stop has to occur immediately, which also fulfils the duty of A.
+/// Only histories that satisfy the rules so far count. In the first example, Stop has to occur immediately, which also
+/// fulfils the duty of A.
 TEST(SleecConflicts, OnlyInHistoriesThatKeepTheRules) {
     EXPECT_EQ(conflicts("A when Go then Stop within 5 seconds\n"
                         "B when Go then Stop within 0 seconds unless near then not Stop within 9 seconds"),
@@ -215,8 +216,8 @@ bool redundant(const std::string& rule, const std::string& by, WithoutLimit with
     return is_redundant(rules_of("R1 " + rule + "\nR2 " + by), 0, 1, {without, {}, nullptr});
 }
 
-/// Three alternatives end at the same instant, and one rule excludes each. Without one of these rules an alternative
-/// remains.
+/// Three alternatives end at the same instant, and three rules exclude one each. Without one of these rules, an
+/// alternative remains.
 TEST(SleecConflicts, OfFour) {
     const std::string due =
         "A when Go then Stop within 2 seconds otherwise Alarm within 0 seconds otherwise Help within 0 seconds\n";

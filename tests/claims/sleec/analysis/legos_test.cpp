@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagnoses of LEGOS for its initial sets (shared/suite/sleec, legos-issues.tsv), with `now` for responses without
-// a limit: the same rules, concerns and purposes. Comments at the comparisons explain where LEGOS counts differently.
+// Compares diagnoses with those of LEGOS for its initial sets (shared/suite/sleec, legos-issues.tsv). With `now` for
+// responses without a limit, both report the same rules, concerns and purposes. Comments at the comparisons explain
+// where LEGOS counts differently.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A row of the table: counts of redundancies, situational conflicts, concerns raised, purposes blocked.
+/// A row of the table, which counts redundancies, situational conflicts, concerns raised, and purposes blocked.
 using Counts = std::vector<std::size_t>;
 
 std::map<std::string, Counts> recorded(const fs::path& table) {
@@ -37,10 +38,10 @@ std::map<std::string, Counts> recorded(const fs::path& table) {
     return result;
 }
 
-/// Our diagnosis of a set.
+/// This program's diagnosis of a set.
 struct Diagnosed {
     std::set<std::string> superfluous;  ///< redundant rules, and rules without a requirement
-    std::set<std::string> conflicts;    ///< "R1 R2"; "R1" for a rule with itself
+    std::set<std::string> conflicts;    ///< "R1 R2", or "R1" for a rule with itself
     std::set<std::string> raised, blocked;
 };
 
@@ -79,9 +80,9 @@ TEST(SleecDiagnoses, AreThoseOfLegos) {
         {"ALMI", "ALMI"}, {"CSICobot", "CSI"}, {"DAISY", "Daisy"}, {"SafeSCAD", "safescade"}};
     const std::map<std::string, Names> superfluous{
         {"ALMI", {}}, {"CSICobot", {"R4", "R4b", "R14"}}, {"DAISY", {"Rule16"}}, {"SafeSCAD", {"R1_1", "R2", "R2_1"}}};
-    // LEGOS counts the rules that are in conflict because of others. For DAISY these are both rules of the pair. For
-    // SafeSCAD they are all rules that take part except R7, which LEGOS names as the cause for R3_1. For ALMI it is R3
-    // once; we also check R3 with itself.
+    // LEGOS counts the rules whose conflict other rules cause. For DAISY these are both rules of the pair. For SafeSCAD
+    // they are all rules that take part except R7, which LEGOS names as the cause for R3_1. For ALMI it is R3 once.
+    // This program also finds the conflict of R3 with itself.
     const std::map<std::string, Names> conflicts{{"ALMI", {"R3", "R3 R21"}},
                                                  {"CSICobot", {}},
                                                  {"DAISY", {"Rule18 Rule19"}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Concerns and purposes, with verdicts by hand from docs/rules-language.md.
+// Tests concerns and purposes, with verdicts by hand from docs/rules-language.md.
 #include "claims/sleec/analysis/properties.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The answer about the only property of a file, with its example.
+/// Asks about the only property of a file, and stores the answer with its example.
 struct Asked {
     Answer answer = Answer::not_decided;
     std::string history, excluded;
@@ -94,8 +94,8 @@ TEST(SleecProperties, HistoriesAreEndless) {
         << "LEGOS: at once";
 }
 
-/// An occurrence fulfils or ends a duty and opens an equal one. At every instant some instance of the duty is open, but
-/// no instance stays open forever.
+/// An occurrence fulfils or ends a duty, and opens an equal one. At every instant some instance of the duty is open,
+/// but no instance stays open forever.
 TEST(SleecProperties, ADutyMayBeOpenedAnewWhereItIsFulfilled) {
     EXPECT_EQ(ask("A when Go then Go", "exists Go").answer, Answer::yes) << "Go every second";
     EXPECT_EQ(
@@ -174,7 +174,7 @@ TEST(SleecProperties, ARuleMayFollowFromTwoOthers) {
     EXPECT_EQ(implying(chain, 3), "");
 }
 
-/// The limits add up: Alarm occurs at second 5 at the latest, and may occur then.
+/// The limits add up, so Alarm occurs at second 5 at the latest, and may occur then.
 TEST(SleecProperties, LimitsOfRulesThatImplyAnotherAddUp) {
     const std::string chain = "A when Go then Stop within 2 seconds\nB when Stop then Alarm within 3 seconds\n";
     EXPECT_EQ(implying(chain + "C when Go then Alarm within 5 seconds", 2), "implied by A B");
@@ -191,7 +191,7 @@ TEST(SleecProperties, ProhibitionsAreImpliedToo) {
         << "with an Alarm at second 0 the prohibition ends at second 5";
 }
 
-/// Go cannot occur without a violation of A or B. That is their conflict, and does not imply C.
+/// Go cannot occur without a violation of A or B. This is a conflict between A and B, and does not imply C.
 TEST(SleecProperties, NothingFollowsFromAConflict) {
     EXPECT_EQ(implying("A when Go then Stop within 2 seconds\nB when Go then not Stop within 5 seconds\n"
                        "C when Go then Alarm within 9 seconds",

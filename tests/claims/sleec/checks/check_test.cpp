@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and types in rules (docs/rules-language.md, "Two dialects").
+// Tests the checks of names and types in rules (docs/rules-language.md, "Two dialects").
 #include <gtest/gtest.h>
 
 #include "tests/claims/sleec/support.hpp"
@@ -97,7 +97,7 @@ TEST(SleecCheck, ChecksTypes) {
         EXPECT_TRUE(findings("R when Go and " + condition + " then Stop").starts_with("SLEEC-T0")) << condition;
 }
 
-/// LEGOS compares positions on scales; a file in its dialect may mix scales.
+/// LEGOS compares positions on scales, so a file in its dialect may mix scales.
 TEST(SleecCheck, ReadsLiteralsByTheirPlaceInLegosOnly) {
     const std::string head =
         "def_start event Go event Stop measure a : scale(x, y) measure b : scale(u, v, w) def_end ";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conformance of components to a rule: hand-made components, with verdicts that follow from docs/rules-language.md.
+// Tests the conformance of components to a rule. The components were written by hand, and the verdicts follow from
+// docs/rules-language.md.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -19,8 +20,8 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// A component whose channels are the events and measures of with_definitions() and whose process is C. Inputs and
-/// outputs are treated alike.
+/// A component whose process is C. Its channels are the events and measures of with_definitions(). Inputs and outputs
+/// are treated alike.
 const std::string channels = R"(
 datatype Way = in | out
 datatype Load = low | mid | high
@@ -42,7 +43,8 @@ Linking linking() {
     return result;
 }
 
-/// "obeyed", "broken" or "waits for ever", followed by ", never asked" if the rule never applies to the component.
+/// Returns "obeyed", "broken" or "waits for ever", followed by ", never asked" if the rule never applies to the
+/// component.
 std::string judged(const std::string& rule, const std::string& component, const Linking& linked = linking(),
                    Readings readings = Readings::one_value) {
     Read read(with_definitions("R " + rule));
@@ -123,7 +125,7 @@ TEST(SleecWatch, MeasuresAreThoseOfTheInstant) {
     EXPECT_EQ(judged(rule, "C = Go.in -> Stop.out -> tock -> C"), "obeyed") << "it need not look";
 }
 
-/// The first Go is answered, because near is true; before the second Go it becomes false.
+/// The first Go is answered, because near is true. Before the second Go at the same instant, near becomes false.
 TEST(SleecWatch, AMeasureHasOneValueAtAnInstant) {
     const std::string rule = "when Go and near then Stop within 0 seconds";
     const std::string twice =
@@ -138,7 +140,7 @@ TEST(SleecWatch, AMeasureHasOneValueAtAnInstant) {
     EXPECT_EQ(judged(forbids, "C = Go.in -> near.in.true -> Stop.out -> tock -> C"), "broken");
 }
 
-/// A response without a limit occurs finally if and only if no infinite run omits it.
+/// A response without a limit occurs eventually if and only if no infinite run omits it.
 TEST(SleecWatch, WithoutLimit) {
     const std::string rule = "when Go then Stop";
     EXPECT_EQ(judged(rule, "C = Go.in -> Wait(7, Stop.out -> tock -> C) [] tock -> C"), "obeyed");
@@ -176,7 +178,7 @@ TEST(SleecWatch, NumbersAndScalesByTheirClasses) {
               "broken");
 }
 
-/// `in A` is shown by the machine; `A` is left by the event itself.
+/// The machine shows on a channel that `in A` is true. The event itself may leave A.
 TEST(SleecWatch, StatesAreThoseBeforeTheTrigger) {
     Linking states = linking();
     states.measures.push_back(LinkedMeasure{"shown", {}, 1, 2});
@@ -197,13 +199,13 @@ TEST(SleecWatch, EventsWithValues) {
     const auto walked = [](const std::string& rule, const std::string& component) {
         Linking linked = linking();
         linked.events.clear();
-        // Go, then the cases of Stop in the order of the values, then the others
+        // Go comes first, then Stop with each of its values in order, then the other events
         linked.events.emplace_back("Go");
         for (const char* value : {"1", "3"})
             linked.events.push_back(LinkedEvent({std::string("Walk.out.") + value},
                                                 {cspm::build::dot({cspm::build::name("Walk"), cspm::build::name("out"),
                                                                    cspm::build::number(value[0] - '0')})}));
-        linked.events.push_back(LinkedEvent({}, {}));  // another value, which the instantiation does not have
+        linked.events.push_back(LinkedEvent({}, {}));  // a value that the instantiation does not contain
         for (const char* event : {"Halt", "Alarm", "Help"}) linked.events.emplace_back(event);
         return judged(rule, component, linked);
     };

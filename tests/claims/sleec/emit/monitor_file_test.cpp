@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated monitors, compiled, compared with RuleMonitor, which rule_monitor_test.cpp compares with the checker: on
-// every history of twelve steps of some rules, and on long random histories of random rule sets.
+// Compiles generated monitors and compares them with RuleMonitor. (rule_monitor_test.cpp compares RuleMonitor with the
+// checker.) The comparison covers every history of twelve steps for some rules, and long random histories for random
+// rule sets.
 #include "claims/sleec/emit/monitor_file.hpp"
 
 #include <gmock/gmock.h>
@@ -31,11 +32,11 @@ using ::testing::Not;
 using testing::Read;
 using testing::with_definitions;
 
-/// A violation, as the generated monitor and `RuleMonitor` both report it: the rule, the time in seconds, and the event
-/// that violated the rule (`no_event` if the second ended without the demanded event).
+/// Violations, as the generated monitor and `RuleMonitor` both report them. Each has the rule, the time in seconds, and
+/// the event that violated the rule (`no_event` if the second ended without the demanded event).
 using Found = std::set<std::tuple<std::size_t, std::int64_t, std::uint32_t>>;
 
-/// The functions in the shared object for one file: see `driver`.
+/// The functions in the shared object for one file of rules. `driver` contains their definitions.
 struct Functions {
     std::size_t (*size)();
     void (*start)(void*);
@@ -130,7 +131,8 @@ public:
         functions_.start(state_.data());
     }
 
-    /// Returns true if a rule was violated. A difference between the monitors fails the test.
+    /// Takes a step in both monitors, and returns true if a rule was violated. A difference between the monitors fails
+    /// the test.
     bool step(std::uint32_t event, const std::vector<std::int64_t>& values) {
         Found generated, expected;
         functions_.step(state_.data(), event, values.data(), note, &generated);
@@ -159,7 +161,8 @@ private:
     std::vector<Piece> state_;
 };
 
-/// Stops at the first violation: if one duty represents several, the violations of the others are reported later.
+/// Visits all histories of this many steps. A history ends at its first violation: if one duty represents several, the
+/// violations of the others are reported later.
 void all_histories(const Both& at, int steps, std::uint64_t& looked_at) {
     ++looked_at;
     if (steps == 0 || ::testing::Test::HasFailure()) return;
@@ -246,7 +249,8 @@ std::string header_of(const std::string& text, const std::string& path = "rules.
     return read.checked ? monitor_files(*read.checked, path, read.sources, WithoutLimit::eventually).front().text : "";
 }
 
-/// Conditions of every kind, names that C++ reserves, defeaters in braces, an assumption, 300 rules.
+/// The rules have conditions of every kind, names that C++ reserves, defeaters in braces, and an assumption. There are
+/// 300 more rules.
 TEST(MonitorFile, CompilesWhateverTheRulesAreCalled) {
     std::string many;
     for (int i = 0; i < 300; ++i) many += "N" + std::to_string(i) + " when class then int within 5 seconds\n";
@@ -299,7 +303,7 @@ TEST(MonitorFile, ComputesLikeTheRules) {
         }
 }
 
-// A constant may be a number that no literal of the scale has.
+// A constant may be a number that belongs to no literal of the scale.
 TEST(MonitorFile, ComparesScalesWithNumbersBeyondTheirLiterals) {
     Read read(
         with_definitions("A when Go and ({load} > MAX) then Stop within 2 seconds\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors compared with the checker: for every history over two events and seconds, the monitor reports a violated
-// rule if and only if the process of the rule in the checker (claims/sleec/conformance) can be violated by it.
+// Compares monitors with the checker, for every history over two events and seconds. The monitor must report a violated
+// rule if and only if the history can violate the process of the rule in the checker (claims/sleec/conformance).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The process of a rule, composed with a process that can do anything, as a graph.
+/// The graph of a rule's process, composed with a process that can perform any event.
 class RuleProcess {
 public:
     explicit RuleProcess(const CheckedRules& rules) {
@@ -50,7 +50,7 @@ public:
     }
 
     using States = std::set<lts::StateIndex>;
-    /// The states after an event, with internal steps of the rule's process before and after it.
+    /// Returns the states after an event. Internal steps of the rule's process may precede and follow the event.
     States after(const States& before, const std::string& event) {
         const auto number = session_->event_table().intern(event);
         States result;
@@ -94,7 +94,7 @@ struct Step {
 };
 constexpr std::array<Step, 3> steps{Step{"Go", 0}, Step{"Stop", 1}, Step{"tock", std::nullopt}};
 
-/// The states of both sides after a history.
+/// The states of the monitor and of the process after a history.
 struct Place {
     RuleMonitor monitor;
     RuleProcess::States states;
@@ -114,8 +114,8 @@ std::string key(const Place& place) {
     return text;
 }
 
-/// Histories that lead both sides to the same states are continued only once, because their continuations agree.
-/// Returns the length of the longest history that was needed.
+/// Compares both for all histories. If several histories lead both to the same states, only one is continued, because
+/// their continuations agree. Returns the length of the longest history that was needed.
 int compare(const CheckedRules& rules) {
     RuleProcess process(rules);
     std::vector<Place> waiting{{RuleMonitor(rules, WithoutLimit::eventually), {0}, "", 0}};
@@ -157,7 +157,7 @@ TEST(RuleMonitor, AgreesWithTheCheckerOnAllHistories) {
     }
 }
 
-/// A random rule without conditions on measures.
+/// Returns a random rule without conditions on measures.
 CheckedRules plain_rule(std::uint64_t seed) {
     for (;; seed += 1000) {
         std::mt19937_64 random(seed);
@@ -170,7 +170,7 @@ CheckedRules plain_rule(std::uint64_t seed) {
     }
 }
 
-/// After a violation both sides restart, because with several open duties each side may follow another one.
+/// After a violation, monitor and process restart: with several open duties, they may not follow the same one.
 TEST(RuleMonitor, AgreesWithTheCheckerOnRandomHistories) {
     std::uint64_t broken = 0, compared = 0;
     for (std::uint64_t seed = 1; seed <= tests::rounds(40) && !HasFailure(); ++seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the obligations of rules with docs/rules-language.md, "What rules mean", row by row, and the arithmetic of
-// windows with an evaluation of the definition on every history.
+// Compares the obligations of rules with docs/rules-language.md, "What rules mean", row by row. Compares the arithmetic
+// of windows with an evaluation of the definition on every history.
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/splitmix64.hpp"
@@ -14,7 +14,8 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// "Stop 0-5 | not Help 5-9": the obligations of the first rule, with events of with_definitions() by name.
+/// Returns the obligations of the first rule, with the names of the events of with_definitions(): "Stop 0-5 | not Help
+/// 5-9".
 std::string demands(const std::string& rule, const Valuation& values = {0, 0, 0, 0},
                     WithoutLimit without = WithoutLimit::eventually) {
     Read read(with_definitions("R " + rule));
@@ -30,7 +31,7 @@ std::string demands(const std::string& rule, const Valuation& values = {0, 0, 0,
     return text;
 }
 
-/// Values are those of near, safe, level, load.
+/// The values are those of near, safe, level, load.
 TEST(SleecObligations, FollowTheDefinitions) {
     EXPECT_EQ(demands("when Go then Stop within 5 seconds"), "Stop 0-5");
     EXPECT_EQ(demands("when Go then not Stop within 2 minutes"), "not Stop 0-120");
@@ -62,7 +63,7 @@ TEST(SleecObligations, TheLastTrueDefeaterDecides) {
     EXPECT_EQ(demands(rule, {1, 1, 6, 0}), "nothing");
 }
 
-/// Fault 2 of SLEEC-TK, done correctly: a defeater in braces counts.
+/// This is correct where SLEEC-TK has fault 2: a defeater in braces counts.
 TEST(SleecObligations, DefeatersNestAsWritten) {
     const std::string rule = "when Go then Alarm within 2 seconds unless near then {Help within 3 seconds unless safe}";
     EXPECT_EQ(demands(rule, {0, 1, 0, 0}), "Alarm 0-2");
@@ -73,7 +74,7 @@ TEST(SleecObligations, DefeatersNestAsWritten) {
     EXPECT_EQ(demands(behind, {0, 1, 0, 0}), "nothing") << "nothing is asked if Stop is missed, so nothing at all";
 }
 
-/// Fault 1 of SLEEC-TK, done correctly: >= of a scale.
+/// This is correct where SLEEC-TK has fault 1: >= on a scale.
 TEST(SleecObligations, ScalesAreOrdered) {
     const std::string rule = "when Go and load >= mid then Stop";
     EXPECT_EQ(demands(rule, {0, 0, 0, 0}), "nothing");
@@ -81,7 +82,7 @@ TEST(SleecObligations, ScalesAreOrdered) {
     EXPECT_EQ(demands(rule, {0, 0, 0, 2}), "Stop 0-");
 }
 
-/// Go needs two samples: its condition depends on two measures, but only on its truth value.
+/// Go needs only two samples. Its condition depends on two measures, but the rule only on the truth of the condition.
 TEST(SleecSamples, AreWhatRulesDistinguish) {
     Read read(with_definitions("R1 when Go and level > 3 and near then Stop\nR2 when Halt and safe then Stop"));
     ASSERT_TRUE(read.checked_too().checked);
@@ -111,7 +112,7 @@ TEST(SleecSamples, AreNotDecidedWhereTheyCannotBe) {
 
 // ---------------------------------------------------------------- comparison with the definition
 
-/// Events 0 and 1 at seconds 0 to 7; windows end at 5 or never. A history has one bit for each event and second.
+/// Events 0 and 1 occur at seconds 0 to 7. Windows end at 5 or never. A history has one bit for each event and second.
 constexpr std::int64_t seconds = 8;
 constexpr std::uint32_t histories = 1U << 16U;
 
@@ -162,7 +163,8 @@ TEST(SleecObligations, ImplyAsTheDefinitionSays) {
     EXPECT_GT(yes, 10);
 }
 
-/// Second by second: an obligation is fulfilled or violated only if all histories with the same prefix agree.
+/// Follows the history second by second. An obligation is fulfilled or violated only if all histories with the same
+/// prefix agree.
 TEST(SleecObligations, StepAsTheDefinitionSays) {
     std::uint64_t state = 7;
     for (int round = 0; round < 300; ++round) {

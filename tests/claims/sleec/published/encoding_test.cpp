@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SLEEC-TK's semantics: the process of every rule equals the published process, and all verdicts about pairs equal the
-// published verdicts.
+// Tests SLEEC-TK's semantics. The process of every rule equals the published process, and all verdicts about pairs
+// equal the published verdicts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -36,8 +36,8 @@ CheckedRules rules_of(const fs::path& path) {
     return *read.checked;
 }
 
-/// The published script of a file, followed by our processes for the same rules and assertions of equality. They are
-/// written into a separate folder with the range of numbers that the script needs.
+/// Writes the published script of a file, followed by this program's processes for the same rules and by assertions
+/// that they are equal. The scripts are in a separate folder with the range of numbers that they need.
 std::string unequal_rules(const std::string& name) {
     const fs::path folder = suite() / "FireFighter/robochart";
     const CheckedRules rules = rules_of(folder / (name + ".sleec"));
@@ -74,7 +74,7 @@ TEST(SleecEncoding, EqualsThePublishedProcesses) {
     EXPECT_EQ(unequal_rules("firefighter-valid"), "");
 }
 
-/// The printed script parses to the tree that is evaluated, and type checks.
+/// The printed script parses to the tree that is evaluated, and it type checks.
 TEST(SleecEncoding, ReadsBackAndHasTypes) {
     Read read(testing::with_definitions(
         "R1 when Go and level > 3 and near then Stop within 2 seconds otherwise Alarm\n"
@@ -100,7 +100,7 @@ TEST(SleecEncoding, RefusesWhatSleecTkDoesNotRead) {
     }
 }
 
-/// "fail pass no no" for each pair of verdicts.tsv, by file and rules.
+/// Returns "fail pass no no" for each pair of verdicts.tsv, by file and rules.
 std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>> expected_verdicts() {
     std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>> result;
     std::istringstream table(tests::read_contents(suite() / "verdicts.tsv"));
@@ -131,8 +131,8 @@ std::string verdicts(cspm::Session& session, std::size_t pair) {
     return text;
 }
 
-/// Returns the pairs of a file whose verdicts differ, or that are missing in one of the tables. (Two files with the
-/// same name have rules with different names.)
+/// Returns the pairs of a file whose verdicts differ, or that are missing in one of the tables. Two files with the same
+/// name have rules with different names.
 std::string differences(const fs::path& path, std::map<std::pair<std::string, std::string>, std::string> expected) {
     const CheckedRules rules = rules_of(path);
     std::set<std::string> known;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the conflicts of random rule sets that the analysis finds with those of a naive enumeration.
+// Compares the conflicts that the analysis finds in random rule sets with those of a naive enumeration.
 // ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED select the number and the seed (tests/long.sh rules).
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ Analysed analysed(const CheckedRules& rules) {
 
 using Sets = std::set<std::vector<std::size_t>>;
 
-/// The sets that contain no smaller set of `others`.
+/// Returns the sets that contain no smaller set of `others`.
 Sets without_larger(Sets sets, const Sets& others) {
     std::erase_if(sets, [&](const auto& set) {
         return std::ranges::any_of(

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See naive_rules.hpp.
 #include "tests/claims/sleec/random/naive_rules.hpp"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ struct Part {
 };
 using Parts = std::vector<Part>;
 
-/// At least one of the parts has to hold.
+/// A duty, which holds if at least one of the parts holds.
 struct Duty {
     Parts parts;
     int age = 0;
@@ -52,7 +51,7 @@ Fate on_event(Duty& duty, int event) {
 }
 
 Fate on_second(Duty& duty) {
-    int settled = 0;  // the age from which only events change the duty
+    int settled = 0;  // the age after which only events change the duty
     for (const Part& part : duty.parts) settled = std::max(settled, part.last == endless ? part.first : part.last + 1);
     ++duty.age;
     for (std::size_t i = 0; i < duty.parts.size(); ++i) {
@@ -64,7 +63,7 @@ Fate on_second(Duty& duty) {
     return fate(duty);
 }
 
-/// The parts that the response requires with these values; nullopt if there is no duty.
+/// Returns the parts that the response requires with these values, or nullopt if there is no duty.
 std::optional<Parts> required_parts(const NaiveResponse& response, unsigned values) {
     const NaiveResponse::Defeater* deciding = nullptr;
     for (const auto& defeater : response.defeaters)
@@ -82,8 +81,8 @@ std::optional<Parts> required_parts(const NaiveResponse& response, unsigned valu
 
 using State = std::set<Duty>;
 
-/// True if every remaining part requires an event that is forbidden and must occur now at the latest, or that is
-/// forbidden forever.
+/// Returns true if every remaining part requires an event that is forbidden. The event must be forbidden forever, or
+/// must occur now at the latest.
 bool is_dead(const Duty& due, const State& open) {
     bool any = false;
     for (std::size_t i = 0; i < due.parts.size(); ++i) {
@@ -137,7 +136,7 @@ NaiveCondition random_condition(std::mt19937_64& random) {
     return {number(random, 2), number(random, 2) == 0};
 }
 
-/// The number of actions of a response.
+/// Returns the number of actions of a response.
 int random_length(std::mt19937_64& random) {
     if (number(random, 3) != 0) return 1;
     return number(random, 3) == 0 ? 3 : 2;
@@ -162,7 +161,7 @@ NaiveResponse random_response(std::mt19937_64& random, int depth) {
     return result;
 }
 
-/// `A within 1 seconds otherwise B within 0 seconds ...`, or `not A within 2 seconds`.
+/// Returns `A within 1 seconds otherwise B within 0 seconds ...`, or `not A within 2 seconds`.
 NaiveResponse alternative_response(std::mt19937_64& random, bool demands) {
     NaiveResponse result;
     if (!demands) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conflicts of small rule sets by enumeration of every history, directly from the definitions of
-// docs/rules-language.md. There is no limit on occurrences, and no duty is omitted because another one decides. It
-// shares only the text of the rules with claims/sleec/.
+// Finds conflicts of small rule sets by enumerating every history, directly from the definitions of
+// docs/rules-language.md. The number of occurrences is not limited, and no duty is omitted because another one decides.
+// The code shares only the text of the rules with claims/sleec/.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace robochart::sleec::testing {
 
-/// `near`, `not near`, `safe`, `not safe`.
+/// A condition: `near`, `not near`, `safe` or `not safe`.
 struct NaiveCondition {
     int measure = 0;  ///< 0: near, 1: safe
     bool positive = true;
@@ -22,15 +22,15 @@ struct NaiveCondition {
     [[nodiscard]] std::string text() const;
 };
 
-/// `[not] EVENT [within [from, to] seconds]`.
+/// An action: `[not] EVENT [within [from, to] seconds]`.
 struct NaiveAction {
     bool negated = false;
     int event = 0;
     int from = 0;
-    std::optional<int> to;  ///< nullopt: no limit
+    std::optional<int> to;  ///< nullopt if there is no limit
 };
 
-/// Actions separated by `otherwise`, and defeaters.
+/// A response: actions separated by `otherwise`, and defeaters.
 struct NaiveResponse {
     struct Defeater;
     std::vector<NaiveAction> chain;
@@ -49,25 +49,25 @@ struct NaiveRule {
     NaiveResponse response;
 };
 
-/// The events of random rules: A, B, C, ...
+/// Returns the name of an event of random rules: A, B, C, ...
 [[nodiscard]] std::string event_text(int event);
-/// A file with these rules, called R0, R1, ...
+/// Returns a file with these rules, called R0, R1, ...
 [[nodiscard]] std::string text_of(const std::vector<NaiveRule>& rules);
-/// Rules over few events with short limits, so that their windows overlap.
+/// Returns rules over few events with short limits, so that their windows overlap.
 [[nodiscard]] std::vector<NaiveRule> random_rules(std::mt19937_64& random);
 
 enum class NaiveAnswer {
     none,
-    /// Some history satisfies all these rules so far and reaches an instant at which a duty must be fulfilled, but
+    /// Some history satisfies all these rules so far, and reaches an instant at which a duty must be fulfilled. But
     /// duties of these rules forbid every event that could fulfil it.
     forbidden,
-    /// No duty is forbidden, but some history reaches an instant from which no history that satisfies the rules reaches
-    /// the next second.
+    /// No duty is forbidden. But after some history that satisfies the rules, none of its continuations to the next
+    /// second satisfies them.
     endless,
 };
-/// Whether all these rules can be satisfied. nullopt: too many states.
+/// Returns whether all these rules can be satisfied, or nullopt if there are too many states.
 [[nodiscard]] std::optional<NaiveAnswer> in_conflict(const std::vector<NaiveRule>& rules);
-/// The minimal subsets with a forbidden duty, as numbers of rules. nullopt: too many states.
+/// Returns the minimal subsets with a forbidden duty, as numbers of rules, or nullopt if there are too many states.
 [[nodiscard]] std::optional<std::set<std::vector<std::size_t>>> smallest_conflicts(const std::vector<NaiveRule>& rules);
 
 }  // namespace robochart::sleec::testing

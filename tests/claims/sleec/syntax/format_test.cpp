@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standard layout: words and comments are kept, lines follow docs/format.md, and formatting is idempotent.
+// Tests the standard layout: words and comments are kept, lines follow docs/format.md, and formatting is idempotent.
 #include "claims/sleec/syntax/format.hpp"
 
 #include <gtest/gtest.h>

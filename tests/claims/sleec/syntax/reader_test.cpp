@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The grammar of both dialects (docs/rules-language.md): accepted texts with their trees, and rejected texts with
+// Tests the grammar of both dialects (docs/rules-language.md): accepted texts with their trees, and rejected texts with
 // places.
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The first rule as it is printed.
+/// Returns the first rule as it is printed.
 std::string as_read(const std::string& rule) {
     const Read read(with_definitions("R " + rule));
     return read.diagnostics.ok() && !read.file.rules.empty() ? print(read.file.rules.front()) : read.findings();
@@ -33,7 +33,7 @@ TEST(SleecReader, ReadsEachFormOfRule) {
         EXPECT_EQ(as_read(rule), rule);
 }
 
-/// [TK]: `and` and `or` have the same precedence and are left-associative; `not` applies to one comparison.
+/// [TK]: `and` and `or` have the same precedence and are left-associative. `not` applies to one comparison.
 TEST(SleecReader, AndAndOrBindAlikeFromTheLeft) {
     EXPECT_EQ(as_read("when Go and near or safe and level < 3 then Stop"),
               "when Go and (near or safe) and level < 3 then Stop");
@@ -42,7 +42,7 @@ TEST(SleecReader, AndAndOrBindAlikeFromTheLeft) {
     EXPECT_EQ(as_read("when Go and not level = 1 and near then Stop"), "when Go and not level = 1 and near then Stop");
 }
 
-/// The warning shows how the condition is parsed; its fix adds the parentheses.
+/// The warning shows how the condition is parsed, and its fix adds the parentheses.
 TEST(SleecReader, WarnsWhereTheTwoMeet) {
     const Read read(with_definitions("R when Go and near or safe and level < 3 then Stop"));
     EXPECT_EQ(read.findings(), "SLEEC-P10:7");
@@ -81,7 +81,7 @@ TEST(SleecReader, ReadsConcernsAndPurposes) {
     EXPECT_FALSE(read.file.concerns.at(0).exists);
 }
 
-/// `while E` means an occurrence at the same instant; `while E within N` means a response.
+/// `while E` means an occurrence at the same instant. `while E within N` means a response.
 TEST(SleecReader, ReadsWhileWithALimitAsAResponse) {
     const Read read(
         "def_start event Go event Stop measure near : boolean def_end\nrule_start R when Go then not Stop rule_end\n"
@@ -139,7 +139,7 @@ TEST(SleecReader, GoesOnAtTheNextRule) {
     const Read read(
         with_definitions("R1 when Go Stop\nR2 when Go then\nR3 when Go then Stop within 5\n"
                          "R4 when Go then Stop\nR5 wehn Go then Stop"));
-    // R2 lacks its response, so it takes the event name R3; the rest of rule R3 is then an error.
+    // R2 has no response, so the parser takes the event name R3 as its response. The rest of rule R3 is then an error.
     EXPECT_EQ(read.findings(), "SLEEC-P01:7 SLEEC-P01:9 SLEEC-P01:11");
     EXPECT_EQ(read.file.rules.size(), 2U);
 }
@@ -189,7 +189,7 @@ TEST(SleecReader, ReadsArgumentsAndStates) {
     EXPECT_EQ(print(read.file.rules[2]), "Stop(false) at least 2 seconds after Go(MAX, _)");
 }
 
-/// Files of the published dialects keep their meaning: `in` may be a measure.
+/// Files of the published dialects keep their meaning, so `in` may be a measure.
 TEST(SleecReader, KnowsAMeasureWithTheNameIn) {
     const Read read(
         "def_start event Go event Stop measure in : boolean def_end rule_start R1 when Go then Stop unless in\n"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See same_file.hpp.
 #include "tests/claims/sleec/syntax/same_file.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 namespace robochart::sleec::testing {
 
-/// True if the declarations, rules, concerns and purposes are equal, in the same order. Places and superfluous
+/// Returns true if the declarations, rules, concerns and purposes are equal, in the same order. Places and superfluous
 /// parentheses are ignored.
 [[nodiscard]] bool same_file(const RuleFile& a, const RuleFile& b);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Published and other files of rules: each is parsed, and its printed text parses to the same tree. Randomly changed
+// Parses published and other files of rules. The printed text of each must parse to the same tree. Randomly changed
 // files are parsed or rejected.
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ std::string measure_text(const Measure& measure) {
     return "scale(" + literals + ")";
 }
 
-/// The declarations and rules, with the rules as the program prints them.
+/// Prints the declarations and rules, with the rules as the program prints them.
 std::string printed_text(const RuleFile& file) {
     std::string text = "def_start\n";
     for (const Event& event : file.events) text += "event " + event.name.text + "\n";
@@ -54,7 +54,8 @@ std::string printed_text(const RuleFile& file) {
     return text + "rule_end\n";
 }
 
-/// Concerns and purposes are not printed. Without them, a text may contain no construct that decides the dialect.
+/// Checks that the printed text parses to the same tree. Concerns and purposes are not printed. Without them, a text
+/// may contain no construct that shows its dialect.
 void expect_round_trip(const std::string& text, const std::string& name) {
     Read first(text);
     if (!first.diagnostics.ok()) return;
@@ -77,8 +78,8 @@ TEST(SleecSuite, EveryFileIsReadAndReadsBack) {
     }
 }
 
-/// Known properties of the files: their dialect, `low` for `low1` in SafeSCAD, its two rules R7_1, and conditions that
-/// mix `and` and `or` (the `and` after the event does not count).
+/// The findings are known properties of the files: their dialect, `low` for `low1` in SafeSCAD, the two rules of
+/// SafeSCAD named R7_1, and conditions that mix `and` and `or`. The `and` after the event is not part of a condition.
 TEST(SleecSuite, FindingsAreThose) {
     if (published().empty()) GTEST_SKIP() << "the published files are not there";
     std::map<std::string, std::string> findings;
@@ -99,7 +100,7 @@ TEST(SleecSuite, FindingsAreThose) {
     EXPECT_EQ(findings, expected);
 }
 
-/// Words are exchanged, omitted or doubled, and bytes are changed. No change causes a crash, and accepted texts can be
+/// The test exchanges, omits or doubles words, and changes bytes. No change causes a crash, and accepted texts can be
 /// printed and parsed again.
 TEST(SleecSuite, ChangedTextsAreReadOrRefused) {
     std::vector<std::string> texts{testing::with_definitions(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims in an editor, beside a model on disk.
+// Tests claims in an editor, beside a model on disk.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CSPM scripts in an editor: findings while typing, also in included files; types and declarations of names.
+// Tests CSPM scripts in an editor: findings while typing, also in included files, and types and declarations of names.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -133,7 +133,7 @@ TEST(Scripts, FilesOnDiskMayChange) {
     EXPECT_EQ(client.codes(folder.uri("a.csp")), "CSPM-P15@1") << "the file has another name now";
 }
 
-/// A file has one identity for all symbolic links to it, also while they change.
+/// All symbolic links to a file denote the same file, even if the links change.
 TEST(Scripts, MayBeReachedByLinks) {
     const Folder folder;
     folder.write("parts/b.csp", "Q = STOP\n");
@@ -150,7 +150,7 @@ TEST(Scripts, MayBeReachedByLinks) {
     EXPECT_EQ(client.codes(folder.uri("link/b.csp")) + client.codes(folder.uri("a.csp")), "");
 }
 
-/// The including file is one of the included ones, so each of them sees all names.
+/// One of the included files includes the first file again, so each of them sees all names.
 TEST(Scripts, FilesMayIncludeThemselves) {
     const Folder folder;
     Client client;
@@ -164,7 +164,7 @@ TEST(Scripts, FilesMayIncludeThemselves) {
     EXPECT_EQ(client.codes(folder.uri("a.csp")) + client.codes(folder.uri("b.csp")), "");
 }
 
-/// Each file includes the next one twice: without a limit the last file would be read 2^40 times.
+/// Each file includes the next one twice, so without a limit the last file would be read 2^40 times.
 TEST(Scripts, IncludesAreBounded) {
     const Folder folder;
     constexpr int files = 40;
@@ -370,7 +370,7 @@ TEST(Scripts, HostileTextsAreHarmless) {
         EXPECT_NE(message["method"].text(), "window/logMessage") << message.write();
 }
 
-/// Included files may contain any bytes: the message with a finding about them must still be valid.
+/// Included files may contain any bytes, but the message with a finding about them must be valid.
 TEST(Scripts, IncludedFilesMayBeNoText) {
     const Folder folder;
     folder.write("b.csp", "Q = \xFF\xFE -> \"\xC0\"\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The callers of an operation, and the operations that it calls.
+// Tests the callers of an operation, and the operations that it calls.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -25,7 +25,7 @@ protected:
     Answer prepared(const std::string& mark) {
         return client.request("textDocument/prepareCallHierarchy", client.at(mark));
     }
-    /// "name/number of calls" for each end.
+    /// Returns "name/number of calls" for each end.
     std::string ends(const std::string& direction, const Answer& item) {
         const Answer list = client.request("callHierarchy/" + direction, Json::object({{"item", item.json()}}));
         const std::string key = direction == "incomingCalls" ? "from" : "to";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// "check" above each assertion, "draw" and "step" above each component.
+// Tests the lenses: "check" above each assertion, "draw" and "step" above each component.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -45,7 +45,7 @@ TEST(CodeLens, StandsAtEachAssertionAlsoInBrokenText) {
                   {{"title", "check"}, {"command", "robochart.check"}, {"arguments", Json::array({lens_uri, "A2"})}}));
 }
 
-/// The title, command, name and place of each lens of a model.
+/// Returns the title, command, name and place of each lens of a model.
 std::vector<std::string> lenses_of(const std::string& text, Json commands) {
     Client client(testing::usual_capabilities(), {}, Json::object({{"commands", std::move(commands)}}));
     client.open("file:///p/a.rct", text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completion: the possible words at a place, in unfinished text.
+// Tests completion: the words that are possible at a place in unfinished text.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -29,7 +29,7 @@ class Completion : public ::testing::Test {
 protected:
     Completion() { client.open("file:///p/lib.rct", library); }
 
-    /// The labels offered at `$` in a text that imports the library.
+    /// Returns the labels that are offered at `$` in a text that imports the library.
     std::set<std::string> labels(std::string text, const std::string& uri = "file:///p/a.rct") {
         if (uri.ends_with(".rct")) text = "package own\nimport lib::*\n" + text;
         const std::size_t place = text.find('$');
@@ -45,7 +45,7 @@ protected:
         for (const Answer& item : items.items()) result.insert(item["label"].text());
         return result;
     }
-    /// The labels offered in a machine with variables, events, clocks and operations.
+    /// Returns the labels that are offered in a machine with variables, events, clocks and operations.
     std::set<std::string> in_machine(const std::string& members) {
         return labels(
             "stm S {\n  requires Ops requires Vars uses Evs\n  var mine : nat clock C\n  initial i0 final f0\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CSP blocks in an editor: findings, completion and hover of the names of the script.
+// Tests CSP blocks in an editor: findings, completion and hover of the names of the script.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics while typing, and the fixes that go with them.
+// Tests diagnostics while the user types, and their fixes.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -38,7 +38,7 @@ TEST(Published, WithEverythingThatIsKnown) {
     EXPECT_NE(found[0]["relatedInformation"][0]["message"].text(), "");
 }
 
-/// LSP 3.17, DiagnosticTag.Unnecessary: editors show such text faded.
+/// LSP 3.17, DiagnosticTag.Unnecessary: editors fade such text.
 TEST(Published, WithATagForWhatCouldBeLeftOut) {
     Client client;
     client.open(uri,
@@ -125,7 +125,7 @@ TEST(QuickFixes, CorrectTheText) {
     EXPECT_EQ(client.codes(), "");
 }
 
-/// `speed1` and `speed2` are equally similar: the fix is offered as a guess and not marked as preferred.
+/// `speed1` and `speed2` are equally similar, so the fix is offered as a guess and not marked as preferred.
 TEST(QuickFixes, GuessesAreNotPreferred) {
     Client client;
     client.open(uri,
@@ -157,7 +157,8 @@ TEST(QuickFixes, AreThoseAskedFor) {
     EXPECT_EQ(count("refactor", 3), 0U);
 }
 
-/// The claims, with the imports, go to the end of the claims file beside the assertions, which may not exist yet.
+/// The claims and their imports are moved to the end of the claims file beside the assertions. This file may not exist
+/// yet.
 TEST(QuickFixes, MoveClaims) {
     Json capabilities = testing::usual_capabilities();
     capabilities["workspace"] = Json::object(
@@ -186,7 +187,7 @@ TEST(QuickFixes, MoveClaims) {
     EXPECT_EQ(changes[2]["textDocument"]["uri"].text(), assertions);
     client.change(assertions, client.applied(changes[2]["edits"], assertions));
     EXPECT_EQ(client.codes(assertions), "");
-    Client plain;  // it cannot create files
+    Client plain;  // an editor that cannot create files
     plain.open(assertions, "claim A of S : never e\n");
     EXPECT_EQ(plain.request("textDocument/codeAction", params).items().size(), 0U);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagrams next to the text: the selected component, the same picture as `draw`, and the last valid picture while the
-// text is broken.
+// Tests diagrams next to the text: the selected component, the same picture as `draw`, and the last valid picture while
+// the text has errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ std::string text_with(std::string text, const std::string& old, const std::strin
     return at == std::string::npos ? text : text.replace(at, old.size(), with);
 }
 
-/// The picture of a component, drawn with the functions that `draw` uses.
+/// Returns the picture of a component, drawn with the functions that `draw` uses.
 std::string drawn_apart(const std::string& name, diagrams::Theme theme) {
     Workspace workspace;
     Project& project = *workspace.open_document(diagram_uri, diagram_text).project;
@@ -76,14 +76,14 @@ std::int64_t notifications_of(const Client& client, std::size_t from = 0) {
     return count;
 }
 
-/// The element of this kind and name; null if there is none.
+/// Returns the element of this kind and name, or null if there is none.
 Answer element_of(const Answer& diagram, const std::string& kind, const std::string& name) {
     for (const Answer& element : diagram["elements"].items())
         if (element["kind"].text() == kind && element["name"].text() == name) return element;
     return {};
 }
 
-/// The start of the SVG line with this id, without the id's number: it contains the element's position.
+/// Returns the start of the SVG line with this id, without the id's number. It contains the element's position.
 std::string box_of(const Answer& diagram, const Answer& element) {
     const std::string svg = diagram["svg"].text();
     const std::size_t group = svg.find("id=\"" + element["id"].text() + "\"");
@@ -215,7 +215,8 @@ TEST(Diagram, NamesThatMeanNothingAreDrawn) {
     EXPECT_THAT(drawn["svg"].text(), HasSubstr("Gone"));
 }
 
-/// States connected in a ring, declared in the order of `order`: the layout follows the order of the text.
+/// Returns states that are connected in a ring and declared in the order of `order`. The layout follows the order of
+/// the text.
 std::string ring(const std::string& order, const std::string& extra = "") {
     std::string text = "stm R { event e initial i0 ";
     for (const char name : order) text += std::string("state ") + name + " { } ";
@@ -289,7 +290,7 @@ TEST(Diagram, WrongParametersAreRefused) {
 TEST(Diagram, TooLargeOnesAreRefusedAndTheServerGoesOn) {
     Client client;
     std::string text = "stm R { event e initial i0 ";
-    // A chain, with a transition from each state directly to the last one.
+    // A chain of states. From each state, a transition leads directly to the last one.
     for (int i = 0; i < 500; ++i) text += fmt::format("state S{} {{ }} ", i);
     for (int i = 0; i < 499; ++i)
         for (const int to : {i + 1, 499})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints for types and values that a text omits.
+// Tests the hints for types and values that a text omits.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -12,7 +12,7 @@ using testing::Client;
 
 constexpr const char* hinted_uri = "file:///p/a.rct";
 
-/// The lines `from` to `to` with their hints in brackets.
+/// Returns the lines `from` to `to` with their hints in brackets.
 std::string hinted(const std::string& text, int from = 0, int to = 1000) {
     Client client;
     client.open(hinted_uri, text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an editor shows about a reserved word.
+// Tests what an editor shows about a reserved word.
 #include <gtest/gtest.h>
 
 #include "editors/server/features/keywords.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Navigation between names and declarations, across files and in broken text.
+// Tests navigation between names and declarations, across files and in text with errors.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -209,7 +209,7 @@ TEST_F(Navigation, HoverOnWhatTheToolBringsAlong) {
     EXPECT_NE(hover("nat").find("core"), std::string::npos);
 }
 
-/// Libraries are files next to the program; a definition is at the position of the name in its file.
+/// Libraries are files next to the program. A definition is at the position of the name in its file.
 TEST_F(Navigation, DefinitionsOfLibrariesAreInTheirFiles) {
     client.change("file:///p/a.rct",
                   "import set_toolkit::*\n"

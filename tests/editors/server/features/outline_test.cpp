@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outlines, the search for names, folding and colours.
+// Tests outlines, the search for names, folding and colours.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -13,7 +13,7 @@ using testing::Client;
 constexpr const char* outlined_uri = "file:///p/a.rct";
 const Json document = Json::object({{"textDocument", Json::object({{"uri", outlined_uri}})}});
 
-/// "name(child child(…))" of symbols.
+/// Returns the symbols as "name(child child(…))".
 std::string shape(const Answer& symbols) {
     std::string out;
     for (const Answer& symbol : symbols.items()) {

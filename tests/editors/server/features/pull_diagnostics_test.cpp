@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics that the editor requests: no finding is reported twice.
+// Tests diagnostics that the editor requests. No finding is reported twice.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"

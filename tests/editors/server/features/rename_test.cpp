@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renaming changes every occurrence and nothing else, and preserves the meaning of the model.
+// Tests that renaming changes every occurrence and nothing else, and preserves the meaning of the model.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -18,7 +18,7 @@ protected:
         params["newName"] = name;
         return client.ask("textDocument/rename", params);
     }
-    /// The text of a document after renaming.
+    /// Returns the text of a document after renaming.
     std::string renamed(const std::string& mark, const std::string& name,
                         const std::string& shown = "file:///p/a.rct") {
         const Answer response = ask(mark, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim in the language server: documents `.rst` and `.rsa` are models and claims of that dialect.
+// Tests RoboSim in the language server: documents `.rst` and `.rsa` are models and claims of that dialect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using testing::Client;
 
 constexpr const char* model = "file:///p/lamp.rst";
 
-/// A machine; `member` is a line of its own.
+/// Returns a machine in which `member` is on a separate line.
 std::string machine(const std::string& member) {
     return "stm Switch {\n\tcycleDef cycle == 1\n\tinput context { event /*^declared*/pressed }\n\toutput context { "
            "event "

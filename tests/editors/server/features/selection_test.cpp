@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selections that expand from a word outwards.
+// Tests selections that expand from a word outwards.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -12,7 +12,7 @@ using testing::Client;
 
 constexpr const char* selected_uri = "file:///p/a.rct";
 
-/// The selected texts from the innermost to the outermost.
+/// Returns the selected texts from the innermost to the outermost.
 std::vector<std::string> grown(Client& client, const std::string& text, std::size_t offset) {
     client.open(selected_uri, text);
     const Json params = Json::object({{"textDocument", Json::object({{"uri", selected_uri}})},

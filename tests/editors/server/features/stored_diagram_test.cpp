@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagram next to the text with the layout that was drawn in RoboTool, if the project has its file; it is reloaded
-// when the file changes.
+// Tests the diagram next to the text with the layout that was drawn in RoboTool, if the project has its file. The
+// server loads the layout again when the file changes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using ::testing::Not;
 
 constexpr const char* drawn_machine = "stm S { initial i state A { } transition t { from i to A } }\n";
 
-/// A file with the machine's state at this place and its initial junction at the left.
+/// Returns a file with the machine's state at this place and its initial junction at the left.
 std::string drawn_at(int x) {
     const auto element = [](const std::string& id, const std::string& name, const std::string& path,
                             const std::string& mapping) {

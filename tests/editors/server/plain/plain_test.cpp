@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenarios, mappings and swarms in an editor: findings while typing, and completion of the words that may follow.
+// Tests scenarios, mappings and swarms in an editor: findings while the user types, and completion of the words that
+// may follow.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program itself over pipes, as an editor starts it.
+// Runs the program itself over pipes, as an editor starts it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -54,7 +54,7 @@ public:
             sent += static_cast<std::size_t>(some);
         }
     }
-    /// The next message; null at the end of the stream.
+    /// Returns the next message, or null at the end of the stream.
     Answer hear() {
         std::string header;
         while (!header.ends_with("\r\n\r\n")) {
@@ -129,7 +129,7 @@ TEST(Program, EndsWithItsInput) {
     EXPECT_EQ(process.wait(), 1);
 }
 
-/// The notification that opens a text with a long analysis.
+/// Returns the notification that opens a text with a long analysis.
 std::string large_opening() {
     std::string text;
     for (int i = 0; i < 150'000; ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of positions: the same answers as for single offsets, and little work for each offset of a long line.
+// Tests tables of positions: they give the same answers as the conversion of single offsets, and need little work for
+// each offset of a long line.
 #include "editors/server/protocol/positions.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 namespace robochart::lsp {
 namespace {
 
-/// Text with characters of all lengths, invalid bytes, and line ends of all kinds.
+/// Returns text with characters of all lengths, invalid bytes, and line ends of all kinds.
 std::string any_text(std::uint64_t& state, std::size_t pieces, bool one_line) {
     const std::string_view kinds[] = {"a",    "\xc3\xbc", "\xe2\x82\xac", "\xf0\x9f\xa4\x96", "\xff", "\xe2\x82", "\n",
                                       "\r\n", "\r"};

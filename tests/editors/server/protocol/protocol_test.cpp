@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The life cycle of a server (LSP 3.17, lifecycle messages; JSON-RPC 2.0).
+// Tests the life cycle of a server (LSP 3.17, lifecycle messages; JSON-RPC 2.0).
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -14,7 +14,7 @@ std::int64_t code_of(const Answer& response) {
     return response["error"]["code"].number();
 }
 
-/// A server alone, before any message.
+/// A server without a client, before any message.
 struct Bare {
     std::vector<Answer> messages;
     Server server{[this](const std::string& text) {
@@ -97,7 +97,7 @@ TEST(Messages, WithWrongParametersAreRefused) {
     EXPECT_TRUE(client.request("workspace/symbol", Json::object({{"query", ""}})).is_array());
 }
 
-// LSP 3.17, $/cancelRequest: a cancelled request is still answered, with RequestCancelled.
+// LSP 3.17, $/cancelRequest: a cancelled request still gets an answer, the error RequestCancelled.
 TEST(Messages, ThatAreCancelledInTime) {
     Client client;
     client.server().receive_message(R"({"jsonrpc":"2.0","id":71,"method":"workspace/symbol","params":{"query":""}})");
@@ -124,7 +124,7 @@ TEST(Positions, EncodingIsNegotiated) {
     EXPECT_EQ(chosen({"utf-32"}), "utf-32");
 }
 
-/// One position has different numbers in the two encodings.
+/// A position has different numbers in the two encodings.
 TEST(Positions, AreThoseAgreedUpon) {
     for (const bool utf8 : {false, true}) {
         const Json general =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames, JSON and positions: messages from outside are parsed without trust in their contents.
+// Tests frames, JSON and positions. The server does not trust the contents of messages from outside.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,7 +20,7 @@ std::string framed(const std::string& text) {
     return "Content-Length: " + std::to_string(text.size()) + "\r\n\r\n" + text;
 }
 
-/// "M:text" for each message of a stream and "F:reason" for each error.
+/// Returns "M:text" for each message of a stream and "F:reason" for each error.
 std::vector<std::string> frames(const std::string& bytes) {
     std::istringstream in(bytes);
     FrameReader reader(in);
@@ -77,7 +77,7 @@ TEST(JsonText, IsReadAndWritten) {
     EXPECT_EQ(read_json(value.write(), error), value);
 }
 
-/// RFC 8259 leaves two cases to the reader: numbers out of range, and several members with one key.
+/// RFC 8259 lets the reader decide in two cases: numbers out of range, and several members with one key.
 TEST(JsonText, OfAnyShapeIsAskedSafely) {
     std::string error;
     const Answer value = read_json(R"({"a":18446744073709551615,"b":1.5,"a":2,"n":{"x":"y"}})", error);
@@ -109,7 +109,8 @@ TEST(JsonText, ThatIsWrongIsRefused) {
     EXPECT_NE(error.find("deeper"), std::string::npos) << error;
 }
 
-// LSP 3.17, Position: columns count UTF-16 code units unless agreed otherwise; lines end with LF, CR LF or CR.
+// LSP 3.17, Position: columns count UTF-16 code units unless client and server agree otherwise. Lines end with LF, CR
+// LF or CR.
 TEST(Positions, CountCodeUnits) {
     SourceManager sources;
     const SourceId id = sources.add("t", "ab\r\nä😀z\rx\n");
@@ -159,7 +160,7 @@ TEST(Positions, BeyondTheTextAreItsEnds) {
     EXPECT_EQ(offset(INT64_MAX, INT64_MAX), 5U);
 }
 
-/// The server's answers to a stream, and its exit code.
+/// Returns the server's answers to a stream, and its exit code.
 std::pair<std::vector<std::string>, int> served(const std::string& bytes) {
     std::istringstream in(bytes);
     std::ostringstream out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules in SLEEC in an editor.
+// Tests rules in SLEEC in an editor.
 #include <gtest/gtest.h>
 
 #include "tests/editors/server/client.hpp"
@@ -33,7 +33,7 @@ std::string hovered(Client& client, std::int64_t line, std::int64_t character) {
     return client.request("textDocument/hover", place(line, character))["contents"]["value"].text();
 }
 
-/// The labels offered at the end of a text.
+/// Returns the labels that are offered at the end of a text.
 std::string offered(const std::string& text, const std::string& at = uri) {
     Client client;
     client.open(at, text);

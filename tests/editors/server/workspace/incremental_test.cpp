@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// After any edits, the state of the server equals that of a newly loaded project.
+// Tests that after any edits, the state of the server equals that of a newly loaded project.
 #include <gtest/gtest.h>
 #include <algorithm>
 
@@ -23,7 +23,7 @@ using tests::read_contents;
 using testing::Answer;
 using testing::Client;
 
-/// Texts of several files, edited through a server.
+/// Edits the texts of several files through a server.
 class Editing {
 public:
     enum class Language { robochart, cspm };
@@ -38,7 +38,7 @@ public:
     }
     [[nodiscard]] std::string uri(std::size_t i) const { return "file:///p/" + std::to_string(i) + extension(i); }
 
-    /// Makes a random change, sent as ranges.
+    /// Makes a random change, and sends it as ranges.
     void edit() {
         const std::size_t file = pick(texts_.size());
         Json list = Json::array();
@@ -71,7 +71,7 @@ public:
         }
     }
 
-    /// Requests every feature at a random place: none may fail.
+    /// Requests every feature at a random place. None may fail.
     void probe() {
         const std::size_t file = pick(texts_.size());
         const std::size_t place = pick(texts_[file].size() + 1);
@@ -128,7 +128,8 @@ std::vector<std::string> corpus_texts() {
         "stm S { requires I initial i state A { entry speed = size(union(s, {1})) } transition t { from i to A } }\n"};
 }
 
-/// Thousands of edits: after every few edits the server agrees with a server that saw only the result.
+/// Makes thousands of edits. After every few edits, the server must agree with a server that has received only the
+/// result.
 TEST(Incremental, IsTheSameAsFromScratch) {
     for (std::uint32_t seed = 1; seed <= tests::rounds(2); ++seed) {
         Editing editing(corpus_texts(), seed);
@@ -150,7 +151,7 @@ TEST(Incremental, NothingFailsInTextsHoweverBroken) {
     }
 }
 
-/// The texts of several scripts, one of which includes the first.
+/// Returns the texts of several scripts, one of which includes the first.
 std::vector<std::string> scripts_of_tests() {
     const std::filesystem::path tests = tests::source_folder().string() + "/tests";
     return {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interrupted work: by $/cancelRequest (LSP 3.17), by newer texts, and by an editor that exits.
+// Tests interrupted work: by $/cancelRequest (LSP 3.17), by newer texts, and by an editor that exits.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 using testing::Answer;
 using testing::Client;
 
-/// A text whose analysis takes seconds.
+/// Returns a text whose analysis takes seconds.
 std::string large_text() {
     std::string text;
     for (int i = 0; i < 60'000; ++i) {
@@ -43,7 +43,7 @@ Json change_to(const std::string& text) {
                                  {"contentChanges", Json::array({Json::object({{"text", text}})})}}));
 }
 
-/// An editor that has opened the large text, which has not been analysed yet.
+/// An editor that has opened the large text. The server has not analysed it yet.
 class Busy : public Client {
 public:
     Busy() {
@@ -63,7 +63,7 @@ public:
         request["id"] = id;
         server().receive_message(std::move(request), "");
     }
-    /// Lets the server work, and delivers the message meanwhile.
+    /// Lets the server work, and delivers the message during the work.
     template <class Work>
     void interrupted_by(const Json& arrival, Work work) {
         std::thread working(work);
@@ -84,7 +84,7 @@ TEST(Interruption, ARunningRequestIsCancelledAndTheServerGoesOn) {
     busy.interrupted_by(cancellation(501), [&] { busy.server().handle_next(); });
     EXPECT_EQ(busy.code_of(501), -32800);
     busy.server().receive_message(cancellation(501), "");
-    // The next request is answered as usual.
+    // The server answers the next request as usual.
     busy.server().receive_message(
         change_to("stm S { var x : lost initial i state A { } transition t { from i to A } }\n"), "");
     busy.hover(502);

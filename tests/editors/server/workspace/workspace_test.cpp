@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folders, files on disk, and open texts that override them.
+// Tests folders, files on disk, and open texts that override them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -26,7 +26,7 @@ protected:
     }
 
     tests::TemporaryFolder temporary_;
-    fs::path folder_ = temporary_.in("lsp workspace");  // a URI escapes the space
+    fs::path folder_ = temporary_.in("lsp workspace");  // the URI of this folder escapes the space
 };
 
 TEST_F(OnDisk, AWorkspaceFolderIsAProject) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports for Mermaid and Graphviz: their contents, and that Graphviz parses them.
+// Tests exports for Mermaid and Graphviz: their contents, and that Graphviz parses them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

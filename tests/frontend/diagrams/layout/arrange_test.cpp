@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of random levels satisfies the criteria of scene.hpp, is deterministic, and changes little after small
-// edits.
+// Tests that the layout of random levels satisfies the criteria of scene.hpp, is deterministic, and changes little
+// after small edits.
 #include "frontend/diagrams/layout/arrange.hpp"
 
 #include <gmock/gmock.h>
@@ -54,7 +54,7 @@ TEST(Arrange, TheSameLevelIsPlacedTheSame) {
     }
 }
 
-/// The level with the previous placement.
+/// Returns the level with the previous placement.
 Level remembering(Level level, const Placement& before) {
     for (std::size_t b = 0; b < before.boxes.size(); ++b) level.boxes[b].previous = before.boxes[b].rank;
     for (std::size_t e = 0; e < before.edges.size(); ++e) level.edges[e].previous = before.edges[e].ranks;
@@ -62,7 +62,7 @@ Level remembering(Level level, const Placement& before) {
     return level;
 }
 
-/// The flips over many random levels after a change, with or without the previous placement.
+/// Returns the flips over many random levels after a change, with or without the previous placement.
 Flips flips_after(void (*change)(Level&, std::uint64_t), bool remembers) {
     Flips all;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -103,7 +103,7 @@ double percent(const Flips& flips) {
     return 100.0 * static_cast<double>(flips.flipped) / static_cast<double>(flips.pairs);
 }
 
-/// The layout uses the previous order; without it, more boxes move. Random levels have more edges than typical
+/// The layout uses the previous order. Without it, more boxes move. Random levels have more edges than typical
 /// diagrams.
 TEST(Arrange, SmallEditsMoveLittle) {
     EXPECT_LT(percent(flips_after(lengthen_a_label, true)), 0.5);
@@ -120,7 +120,7 @@ TEST(Arrange, WhatIsUnchangedStaysWhereItWas) {
     }
 }
 
-/// A chain leads from top to bottom without bends; a loop is at the right side with its label next to it.
+/// A chain leads from top to bottom without bends. A loop is at the right side with its label next to it.
 TEST(Arrange, AChainIsStraight) {
     Level level;
     level.direction = Direction::down;
@@ -164,9 +164,9 @@ TEST(Arrange, TurnsOtherLinesRoundWhereThatSparesCrossings) {
     }
 }
 
-/// Two junctions with edges from state 1, one with three outcomes (5) and one with two (6); all outcomes lead back to
-/// state 1. If a new state is added below the middle of all outcomes (4), the lines of two or three others pass next to
-/// it, and these states would change their order. Above it there is enough space.
+/// State 1 leads to two junctions: box 5 with three outcomes, and box 6 with two. All outcomes lead back to state 1. If
+/// the new state 4 is added below the middle of all outcomes, the lines of two or three other states pass next to it,
+/// and these states would change their order. Above the middle there is enough space.
 TEST(Arrange, WhatIsAddedTurnsItsLineRoundWhereTheRestWouldChangeItsOrder) {
     Level level;
     level.boxes.resize(9);
@@ -217,7 +217,7 @@ TEST(Arrange, WhatIsTooLargeIsRefused) {
     EXPECT_THROW((void)arrange_level(level), layout::TooLarge);
 }
 
-/// Random levels, including larger ones; ROBOCHART_LEVELS is their number. To be run by hand.
+/// Tests random levels, including larger ones. ROBOCHART_LEVELS is their number. Run this test by hand.
 TEST(Arrange, ManyRandomLevelsMeetTheCriteria) {
     const char* setting = std::getenv("ROBOCHART_LEVELS");
     const std::uint64_t count = setting == nullptr ? 50 : std::strtoull(setting, nullptr, 10);

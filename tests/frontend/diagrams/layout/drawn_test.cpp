@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels with a drawn layout: routes between boxes with other sizes, places for text, and elements that were not drawn.
+// Tests levels with a drawn layout: routes between boxes with other sizes, places for text, and elements that were not
+// drawn.
 #include "frontend/diagrams/layout/drawn.hpp"
 
 #include <gmock/gmock.h>
@@ -30,13 +31,13 @@ DrawnEdge drawn(std::vector<DrawnEdge::Bend> bends) {
 }
 
 TEST(DrawnRoute, LeadsFromBorderToBorder) {
-    // The line leads from middle to middle; the middles are 200 apart.
+    // The line leads from the middle of one box to that of the other. The middles are 200 apart.
     EXPECT_THAT(route_as_drawn(drawn({{{0, 0}, {-200, 0}}, {{200, 0}, {0, 0}}}), left_box, right_box),
                 ElementsAre(Point{100, 20}, Point{200, 20}));
 }
 
 TEST(DrawnRoute, KeepsItsBends) {
-    // The route leaves the source at its right side, goes down by 60, and then up into the target.
+    // The route leaves the source at its right side, goes down by 60, and then goes up into the target.
     const auto edge = drawn({{{50, 10}, {-150, 10}},
                              {{80, 10}, {-120, 10}},
                              {{80, 70}, {-120, 70}},
@@ -49,7 +50,7 @@ TEST(DrawnRoute, KeepsItsBends) {
 /// If boxes have moved, the bends near the source move with the source, and those near the target with the target.
 TEST(DrawnRoute, FitsBoxesThatHaveMoved) {
     const RouteEnd moved{{200, 12, 100, 40}};
-    // The route was drawn straight. Its ends are now 12 pixels apart, and both boxes cover y 20 to 32.
+    // The line was drawn straight. Its ends are now 12 pixels apart, and both boxes cover y 20 to 32.
     const auto line = route_as_drawn(drawn({{{50, 0}, {-150, 0}}, {{150, 0}, {-50, 0}}}), left_box, moved);
     EXPECT_THAT(line, ElementsAre(Point{100, 26}, Point{200, 26}));
     const RouteEnd far{{200, 300, 100, 40}};
@@ -59,7 +60,7 @@ TEST(DrawnRoute, FitsBoxesThatHaveMoved) {
 
 TEST(DrawnRoute, EndsOnCircles) {
     const RouteEnd circle{{200, 8, 24, 24}, RouteEnd::Shape::circle};
-    // Six pixels above the middle, the circle of radius 12 starts 10.39 before its middle.
+    // The circle has radius 12. Six pixels above its centre, it starts 10.39 pixels to the left of the centre.
     const auto line = route_as_drawn(drawn({{{50, -6}, {-112, -6}}, {{162, -6}, {0, -6}}}), left_box, circle);
     ASSERT_EQ(line.size(), 2U);
     EXPECT_EQ(line[1].y, 14);
@@ -78,8 +79,8 @@ TEST(DrawnRoute, MayBeOblique) {
     const RouteEnd below{{200, 100, 100, 40}};
     EXPECT_THAT(route_as_drawn(edge, left_box, below), IsEmpty()) << "with right angles, askew is no route";
     edge.right_angled = false;
-    // From (50, 20) to (250, 120): the line leaves the first box at its bottom, y = 40, and enters the second at its
-    // top, y = 100.
+    // The line leads from (50, 20) to (250, 120). It leaves the first box at its bottom, y = 40, and enters the second
+    // at its top, y = 100.
     EXPECT_THAT(route_as_drawn(edge, left_box, below), ElementsAre(Point{90, 40}, Point{210, 100}));
 }
 
@@ -109,7 +110,7 @@ TEST(FreeSpace, TakesTheFirstPlaceWithNothingOnIt) {
     EXPECT_EQ(space.choose_place(std::span(places).first(2)), places[0]) << "least of all: 25 of a box, 40 of a line";
 }
 
-/// If a box now blocks a route, the route changes; other boxes and routes stay.
+/// If a box now blocks a route, the route changes. Other boxes and routes stay.
 TEST(DrawnLevel, LeadsRoutesAroundBoxes) {
     Level level;
     for (int b = 0; b < 3; ++b) level.boxes.emplace_back().size = {100, 40};
@@ -127,7 +128,7 @@ TEST(DrawnLevel, LeadsRoutesAroundBoxes) {
     EXPECT_EQ(placement.boxes[2].place, (Rectangle{400, 50, 100, 40}));
 }
 
-/// Random drawings: any number of drawn and new boxes, ports and edges, with random stored data.
+/// Returns a random drawing: any number of drawn and new boxes, ports and edges, with random stored data.
 DrawnLevel any_drawing(const Level& level, std::uint64_t state) {
     const auto random = [&] { return diagnostics::splitmix64(state); };
     const auto number = [&](double low, double high) {
@@ -202,7 +203,7 @@ TEST(DrawnLevel, OfAnyFormIsPlaced) {
         }
 }
 
-/// The second of two boxes that touch moves, by the shorter way.
+/// Of two boxes that touch, the second moves in the direction in which the distance is shorter.
 TEST(DrawnLevel, SeparatesBoxesThatTouch) {
     Level level;
     for (int b = 0; b < 3; ++b) level.boxes.emplace_back().size = {100, 40};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions by isotonic regression: compared with the definition, and with all positions of a grid.
+// Tests positions by isotonic regression. Compares them with the definition, and with all positions of a grid.
 #include "frontend/diagrams/layout/isotonic.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ TEST(Isotonic, WhatIsInOrderStays) {
     EXPECT_THAT(nearest_places(std::vector<Wish>{{1, 1, 0}, {5, 1, 2}, {9, 1, 2}}), ElementsAre(1, 5, 9));
 }
 
-/// Two boxes with the same desired position move apart in proportion to their weights: the weighted mean is the desired
+/// Two boxes with the same desired position move apart in proportion to their weights. The weighted mean is the desired
 /// position.
 TEST(Isotonic, NeighboursGiveWayByTheirWeights) {
     EXPECT_THAT(nearest_places(std::vector<Wish>{{10, 1, 0}, {10, 1, 4}}), ElementsAre(8, 12));
@@ -37,7 +37,7 @@ double cost(const std::vector<Wish>& wishes, const std::vector<double>& places) 
     return sum;
 }
 
-/// No positions on a grid of integers have a lower cost.
+/// No positions on a grid of integers have a lower cost than the computed ones.
 TEST(Isotonic, IsTheCheapest) {
     std::uint64_t state = 1;
     for (int round = 0; round < 200; ++round) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See random_levels.hpp.
 #include "tests/frontend/diagrams/layout/random_levels.hpp"
 
 #include "base/diagnostics/splitmix64.hpp"
@@ -7,7 +6,7 @@
 namespace robochart::diagrams {
 namespace {
 
-/// Numbers below a bound.
+/// Draws random numbers below a bound.
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : state_(seed * 7919 + 1) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Widths of text and line breaking.
+// Tests widths of text and line breaking.
 #include "frontend/diagrams/layout/text_width.hpp"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// DejaVu Sans 2.37: A is 1401 units wide out of 2048, i 569, in bold 1585 and 702 (fonttools prints its table hmtx).
+/// In DejaVu Sans 2.37, A is 1401 of 2048 units wide, and i is 569. In bold they are 1585 and 702 (fonttools prints its
+/// table hmtx).
 TEST(TextWidth, IsTheSumOfTheAdvances) {
     EXPECT_DOUBLE_EQ(text_width("A", 2048), 1401 * font_slack);
     EXPECT_DOUBLE_EQ(text_width("Ai", 2048), (1401 + 569) * font_slack);

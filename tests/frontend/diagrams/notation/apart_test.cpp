@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes of one level have a gap, and no square of an event covers the text of a title: in the automatic layout, and in
-// drawn layouts with boxes that touch and squares at any place.
+// Tests that boxes of one level have a gap, and that no square of an event covers the text of a title. The test uses
+// the automatic layout, and drawn layouts with boxes that touch and squares at any place.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using ::testing::IsEmpty;
 constexpr double least_gap = 5;
 constexpr double area_border = 5;  ///< between an area of RoboTool and the boxes in it
 
-/// The letters of a centred title, from the highest to the lowest.
+/// Returns the area of the letters of a centred title, from the highest to the lowest letter.
 Rectangle letters_of(const Text& title) {
     const double width = layout::text_width(title.text, title.size, title.bold);
     return {title.at.x - width / 2, title.at.y - 0.75 * title.size, width, title.size};
@@ -55,7 +55,7 @@ std::vector<std::string> faults_of_boxes(const Picture& picture) {
     return faults;
 }
 
-/// A layout by a person who draws boxes that touch, at multiples of 40 pixels, and squares on all sides, some of them
+/// A layout by a person who draws boxes that touch, at multiples of 40 pixels. Squares are on all sides, some of them
 /// near the titles.
 class DrawnAnyhow {
 public:

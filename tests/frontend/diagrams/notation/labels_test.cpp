@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texts of diagrams, in RoboTool's order and spelling.
+// Tests the texts of diagrams, which have RoboTool's order and spelling.
 #include "frontend/diagrams/notation/labels.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 
-/// The pieces of the label of the only transition of a machine.
+/// Returns the pieces of the label of the only transition of a machine.
 std::vector<std::string> label_of_transition(const std::string& parts) {
     const auto loaded =
         random_models::load({{"m.rct",
@@ -38,7 +38,7 @@ TEST(Labels, LeaveSendOut) {
                 ElementsAre("/if x > 1 then o!x else skip end; (o!1) <{2}"));
 }
 
-/// All texts in the diagrams of a model.
+/// Returns all texts in the diagrams of a model.
 std::vector<std::string> texts_of(const std::string& model) {
     std::vector<std::string> texts;
     draw_each({{"m.rct", model}}, [&](const DrawnModel& drawn) {
@@ -81,7 +81,7 @@ TEST(Labels, OfRoboSimNameRegistersAndCycles) {
         EXPECT_THAT(texts, Contains(text)) << ::testing::PrintToString(texts);
 }
 
-/// Unresolved names are drawn by their text.
+/// Diagrams show unresolved names as they are written.
 TEST(Labels, WhatMeansNothingIsDrawnByItsName) {
     const auto texts = texts_of(
         "stm M { initial i transition t { from i to Nowhere } }\n"

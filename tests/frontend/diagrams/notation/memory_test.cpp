@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// After an edit of a machine, its diagram changes little if the previous layout is used. The test edits real machines
-// and measures the share of pairs of nodes whose order changes.
+// Tests that the diagram of a machine changes little after an edit if the previous layout is used. The test edits real
+// machines and measures the share of pairs of nodes whose order changes.
 #include "frontend/diagrams/notation/memory.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ using frontend::Machine;
 
 using Edit = void (*)(Machine&);
 
-/// Adds two resets to the label of a transition in the middle.
+/// Adds two resets to the label of a transition in the middle of the machine.
 void lengthen_a_label(Machine& machine) {
     frontend::Transition& transition = *machine.transitions[machine.transitions.size() / 2];
     frontend::QualifiedName name;
@@ -53,7 +53,7 @@ Scene drawn(const frontend::Model& model, const Subject& subject, Memory& memory
     const Elements elements(model);
     const Picture picture = draw_subject(subject, {elements, &memory, nullptr});
     Scene scene = scene_of(picture);
-    // Names that stay the same if boxes are added: those of the elements, qualified by their parents.
+    // These names stay the same if boxes are added. They are the names of the elements, qualified by their parents.
     for (std::size_t b = 0; b < scene.boxes.size(); ++b) {
         const std::size_t element = picture.boxes[b].element;
         const std::size_t parent = scene.boxes[b].parent;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagrams of all available models satisfy the criteria of scene.hpp; text stays in its box; elements refer to
-// positions in the text.
+// Tests that the diagrams of all available models satisfy the criteria of scene.hpp, that text stays in its box, and
+// that elements refer to positions in the text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using ::testing::IsEmpty;
 
-/// The distance from the left end of a text to its anchor.
+/// Returns the distance from the left end of a text to its anchor.
 double anchor_offset(const Text& text, double width) {
     switch (text.anchor) {
         case Anchor::start:
@@ -33,7 +33,7 @@ double anchor_offset(const Text& text, double width) {
     return width;
 }
 
-/// Texts that exceed their boxes. Texts of events are next to their squares and do not count.
+/// Returns texts that exceed their boxes. Texts of events are next to their squares, so they are not checked.
 std::vector<std::string> texts_outside(const Picture& picture) {
     std::vector<std::string> outside;
     for (const PictureBox& box : picture.boxes)
@@ -72,7 +72,7 @@ TEST(Pictures, OfPublicModelsMeetTheCriteria) {
                                  crossed.insert(std::filesystem::path(file).filename().string());
                          }),
               100U);
-    // The machine of the chemical detector as drawn for RoboSim: three of its edges cross.
+    // In the machine of the chemical detector for RoboSim, three of the drawn edges cross.
     crossed.erase("Movement.rct");
     crossed.erase("Movement.rst");
     EXPECT_THAT(crossed, IsEmpty());
@@ -83,13 +83,13 @@ TEST(Pictures, OfRandomModelsMeetTheCriteria) {
         draw_each(random_models::well_formed(seed), expect_good);
 }
 
-/// Arbitrary syntax trees, with names that have no meaning.
+/// The syntax trees are arbitrary, with names that have no meaning.
 TEST(Pictures, OfAnySyntaxMeetTheCriteria) {
     for (std::uint64_t seed = 1; seed <= tests::rounds(120); ++seed)
         draw_each({{"any.rct", frontend::to_text(*random_models::any_syntax(seed, 6))}}, expect_good);
 }
 
-/// Incomplete text, as while somebody types.
+/// The text is incomplete, as it is while somebody types.
 TEST(Pictures, OfBrokenTextMeetTheCriteria) {
     for (std::uint64_t seed = 1; seed <= tests::rounds(6); ++seed) {
         random_models::Project project = random_models::well_formed(seed);

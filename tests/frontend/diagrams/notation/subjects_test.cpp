@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elements of a model that have a diagram, and the names of the files.
+// Tests which elements of a model have a diagram, and the names of the files.
 #include "frontend/diagrams/notation/subjects.hpp"
 
 #include <gmock/gmock.h>
@@ -32,7 +32,7 @@ TEST(Subjects, AreComponentsAndPackages) {
                             Pair("p::M", "M"), Pair("p::M::P", "P"), Pair("p", "p_types")));
 }
 
-/// The names differ even on file systems that ignore case.
+/// The file names differ even on file systems that ignore case.
 TEST(Subjects, HaveFilesOfTheirOwn) {
     EXPECT_THAT(names_of({{"a.rct", "package p\nstm S { initial i }\nstm T { initial i }\n"},
                           {"b.rct", "package q\nstm s { initial i }\n"}}),

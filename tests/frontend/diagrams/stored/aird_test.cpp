@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboTool's files as data, and invalid files.
+// Tests how RoboTool's files are read as data, and how invalid files are rejected.
 #include "frontend/diagrams/stored/aird.hpp"
 
 #include <gmock/gmock.h>
@@ -53,7 +53,7 @@ TEST(Aird, HasElementsShapesAndLines) {
     EXPECT_TRUE(route.right_angled);
 }
 
-/// Old files have `xsi:type`, and other elements of Sirius in between.
+/// Old files have `xsi:type`, and contain other elements of Sirius in between.
 TEST(Aird, KnowsOldFiles) {
     const Aird aird = read_aird(
         "<x:XMI xmlns:x=\"x\" xmlns:xsi=\"i\"><d:DSemanticDiagram xmlns:d=\"d\" xmi:id=\"q\" xmlns:xmi=\"m\">"
@@ -149,7 +149,7 @@ TEST(Aird, ReadingPollsTheBudget) {
     EXPECT_THROW((void)read_aird(aird_text(""), &budget), diagnostics::LimitReached);
 }
 
-/// Ids that refer to themselves, to each other or to no element are treated as names only.
+/// Ids that refer to themselves, to each other or to no element are only used as names.
 TEST(Aird, FollowsNoIds) {
     const Aird aird = read_aird(aird_text(
         aird_diagram(line_element("a", "a", "#a", "a", "b", "a") + line_element("b", "b", "#b", "b", "a", "b"),

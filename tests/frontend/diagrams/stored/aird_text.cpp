@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// See aird_text.hpp.
 #include "tests/frontend/diagrams/stored/aird_text.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Components with a layout that was drawn in RoboTool. The coordinates follow from the file format (docs/diagrams.md):
-// places of nodes are relative to their area, whose border is 5 pixels away, and ends of lines are relative to anchors.
+// Tests components with a layout that was drawn in RoboTool. The coordinates follow from the file format
+// (docs/diagrams.md). Places of nodes are relative to their area, whose border is 5 pixels away. Ends of lines are
+// relative to anchors.
 #include "frontend/diagrams/stored/stored_diagrams.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// Pictures are shifted to their margins by widths of text, so sums are not exact.
+/// Pictures are shifted to their margins by widths of text, so sums of coordinates are not exact.
 MATCHER_P(IsNear, point, "") {
     *result_listener << arg.x << ", " << arg.y;
     return std::abs(arg.x - point.x) < 0.001 && std::abs(arg.y - point.y) < 0.001;
@@ -62,7 +63,7 @@ public:
         ADD_FAILURE() << "no component " << name;
         return {};
     }
-    /// The codes and messages of the findings about a component.
+    /// Returns the codes and messages of the findings about a component.
     [[nodiscard]] std::vector<std::string> findings_about(const std::string& name) const {
         diagnostics::Diagnostics out;
         diagrams_.explain_mismatch(component(name), out);
@@ -71,7 +72,7 @@ public:
             result.push_back(std::string(finding.rule->code) + " " + finding.message());
         return result;
     }
-    /// The box of an element, by its name in the model.
+    /// Returns the box of an element, by its name in the model.
     [[nodiscard]] const PictureBox& box(const Picture& picture, const std::string& name) const {
         for (const PictureBox& box : picture.boxes)
             if (box.element != none && elements_.all_elements()[box.element].name == name) return box;
@@ -96,7 +97,7 @@ constexpr const char* patrol =
     " transition t0 { from start to Going }\n transition t1 { from Going to Avoiding trigger obstacle }\n"
     " transition t2 { from Avoiding to Going }\n}\n";
 
-/// A reference to an element of the machine.
+/// Returns a reference to an element of the machine.
 std::string of_machine(const std::string& path) {
     return "a.rct#//@machines.0" + path;
 }
@@ -127,7 +128,7 @@ std::string state_shape(const std::string& id, const std::string& bounds, const 
     return shape(3008, id, bounds, container(areas));
 }
 
-/// An area of 20 pixels for actions, and below it an area for nodes.
+/// Returns an area of 20 pixels for actions, and below it an area for nodes.
 std::string areas(const std::string& id, int width, int height, const std::string& inner = "") {
     return shape(3009, id + "a", fmt::format("width=\"{}\" height=\"20\"", width)) +
            shape(3008, id + "n", fmt::format("y=\"20\" width=\"{}\" height=\"{}\"", width, height),
@@ -157,7 +158,7 @@ std::string patrol_aird() {
     return aird_text(aird_diagram(patrol_elements(), patrol_shapes(), patrol_lines()));
 }
 
-/// The text without one piece, which must exist.
+/// Returns the text with one piece removed or replaced. The piece must exist.
 std::string without(std::string text, const std::string& piece, const std::string& other = "") {
     const std::size_t at = text.find(piece);
     EXPECT_NE(at, std::string::npos) << piece;
@@ -242,8 +243,8 @@ TEST(StoredDiagrams, LeaveRoutesThatAreNotStoredToUs) {
     EXPECT_TRUE(on_border(t2.points.back(), model.box(picture, "Going").place));
 }
 
-/// The middle of the stored port is 7 pixels outside; ours is on the border. Elements below the rows move down with the
-/// rows.
+/// The middle of the stored port is 7 pixels outside the border. In the picture, it is on the border. Elements below
+/// the rows move down with the rows.
 TEST(StoredDiagrams, PutSquaresOnTheirSide) {
     const Stored model(patrol, patrol_aird());
     const Picture picture = model.draw("Patrol");
@@ -251,7 +252,7 @@ TEST(StoredDiagrams, PutSquaresOnTheirSide) {
     const PictureBox& square = model.box(picture, "obstacle");
     EXPECT_EQ(square.event_of, 0U);
     EXPECT_NEAR(square.place.centre().x, frame.place.x, 0.001);
-    const double inside = frame.rules.back() - frame.place.y;  // the stored area starts after title and rows: 28 + 60
+    const double inside = frame.rules.back() - frame.place.y;  // the stored area starts below title and rows: 28 + 60
     EXPECT_NEAR(square.place.centre().y - frame.place.y, 165 - 88 + inside, 0.001);
     EXPECT_LT(square.texts[0].at.y, square.place.centre().y) << "its label was above it";
 }
@@ -266,7 +267,7 @@ TEST(StoredDiagrams, LeaveWhatIsOfAutomaticSizeToOurMetrics) {
     EXPECT_NEAR(model.box(picture, "Going").place.height, 46, 0.001) << "title 24, line 14, space 8";
 }
 
-/// An element that needs more space than in the drawing moves the elements below it.
+/// An element needs more space than in the drawing, so the elements below it move down.
 TEST(StoredDiagrams, MakeSpaceForText) {
     const std::string aird = without(patrol_aird(), "y=\"20\" width=\"160\" height=\"60\"",
                                      "y=\"0\" width=\"160\" height=\"2\"");  // 30 high
@@ -285,7 +286,7 @@ TEST(StoredDiagrams, HiddenTitlesTakeNoSpace) {
 
 // ---------------------------------------------------------------- which diagrams are used
 
-/// A machine with states A0 to A19 in a row, and its diagram.
+/// Returns a machine with states A0 to A19 in a row, and its diagram.
 std::string row_of_states(int count) {
     std::string text = "stm S {\n initial A0\n";
     for (int i = 1; i < count; ++i) text += fmt::format(" state A{} {{ }}\n", i);
@@ -353,7 +354,7 @@ TEST(StoredDiagrams, TellLinesApartByTheirLabels) {
     EXPECT_NEAR(model.line(picture, "te").points.front().y, middle + 20, 0.001);
 }
 
-/// The initial layout that RoboTool generates before a user moves an element.
+/// The diagram has the initial layout, which RoboTool generates before a user moves an element.
 TEST(StoredDiagrams, ThatNobodyDrewAreNotUsed) {
     std::string aird = row_aird(20, 0);
     for (int i = 1; i < 20; ++i) aird = without(aird, fmt::format("x=\"{}\" y=\"9\"", i * 100));
@@ -364,7 +365,7 @@ TEST(StoredDiagrams, ThatNobodyDrewAreNotUsed) {
     EXPECT_THAT(model.findings_about("S"), IsEmpty());
 }
 
-/// A declaration inserted before others changes the numbers in all references.
+/// If a declaration is inserted before others, the numbers in all references change.
 TEST(StoredDiagrams, FindDeclarationsThatHaveMoved) {
     const std::string moved = without(without(patrol, " initial start\n", " state New { }\n initial start\n"),
                                       " transition t0", " transition t4 { from New to Going }\n transition t0");
@@ -488,7 +489,7 @@ TEST(StoredDiagrams, PlaceNewSquares) {
     EXPECT_NEAR(model.box(picture, "out").place.centre().x, picture.boxes.front().place.right(), 0.001);
 }
 
-/// A machine that is defined in place is drawn with its nodes, as in RoboTool.
+/// A machine that is defined inside the controller is drawn with its nodes, as in RoboTool.
 TEST(StoredDiagrams, OpenMachinesInPlace) {
     const Stored model(controller, controller_aird());
     const Picture picture = model.draw("C");
@@ -555,7 +556,7 @@ protected:
     StoredFiles() { std::filesystem::create_directory(path("models")); }
 
     void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-    /// The findings for a model in the folders `models` and `.`.
+    /// Returns the findings for a model in the folders `models` and `.`.
     [[nodiscard]] std::vector<std::string> read() {
         loaded_ =
             random_models::load({{path("models/a.rct"), row_of_states(20)}, {path("b.rct"), "stm T { initial i }\n"}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The SVG of all available models is well-formed, with unique ids; malicious text stays text.
+// Tests that the SVG of all available models is well-formed and has unique ids, and that malicious text stays text.
 #include "frontend/diagrams/svg/svg.hpp"
 
 #include <gmock/gmock.h>
@@ -64,7 +64,7 @@ TEST(Svg, TheSamePictureIsTheSameText) {
         [&](const DrawnModel& drawn) { EXPECT_EQ(render_svg(drawn.picture, drawn.elements), first[next++]); });
 }
 
-/// The picture of a model with this string as an action.
+/// Returns the picture of a model with this string as an action.
 std::string svg_with(const std::string& string) {
     std::string text;
     draw_each({{"m.rct", "stm M { var v : string initial i state s { entry v = \"" + string +

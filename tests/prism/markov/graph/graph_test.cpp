@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// End components and bottom components compared with their definitions.
+// Compares end components and bottom components with their definitions.
 #include "prism/markov/graph/graph.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ bool has(const States& states, State state) {
     return std::ranges::binary_search(states, state);
 }
 
-/// The choices of these states, by their numbers in the model, that stay within the set.
+/// Returns the choices of these states that stay within the set, by their numbers in the model.
 std::vector<std::uint32_t> choices_within_states(const Description& description, const States& states) {
     std::vector<std::uint32_t> found;
     std::uint32_t number = 0;
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> choices_within_states(const Description& description,
     return found;
 }
 
-/// Whether every state has a choice that stays within the set, and reaches every other state by such choices.
+/// Returns whether every state has a choice that stays within the set, and reaches every other state by such choices.
 bool is_end_component(const Description& description, const States& states) {
     naive::Matrix edges(description.states.size(), std::vector<Rational>(description.states.size(), 0));
     std::vector<bool> moves(description.states.size(), false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilities 0 and 1 compared with computed values; CTL compared with its fixed points.
+// Compares probabilities 0 and 1 with computed values, and CTL with its fixed points.
 #include "prism/markov/graph/qualitative.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Qualitative, MdpsAgreeWithTheirValues) {
     expect_no_fault(2, Kind::mdp, tests::rounds(500), qualitative_fault);
 }
 
-/// Whether all, or some, successors of a state are in the set.
+/// Returns whether all, or some, successors of a state are in the set.
 bool successors(const Description& description, State state, const StateSet& set, bool all) {
     for (const Choice& choice : description.states[state])
         for (const Branch& branch : choice.branches)

@@ -38,7 +38,7 @@ Number enclosing(const Rational& value) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Number number{back < value ? near : std::nextafter(near, -infinity),
                   back > value ? near : std::nextafter(near, infinity)};
-    // The conversion may not round to nearest.
+    // The conversion to double may not round to nearest.
     while (Rational(number.low) > value) number.low = std::nextafter(number.low, -infinity);
     while (Rational(number.high) < value) number.high = std::nextafter(number.high, infinity);
     return number;

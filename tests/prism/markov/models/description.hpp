@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small models in a form that tests can write and change.
+// Describes small models in a form that tests can write and change.
 #pragma once
 
 #include <string>
@@ -22,21 +22,21 @@ struct Choice {
 struct Description {
     Kind kind = Kind::dtmc;
     std::vector<std::vector<Choice>> states;
-    std::vector<Rational> rewards;  ///< of states; empty: all 0
+    std::vector<Rational> rewards;  ///< of states; if empty, all are 0
     StateSet left;
     StateSet right;
 };
 
-/// The sets left and right are empty.
+/// Makes a dtmc. The sets left and right are empty.
 [[nodiscard]] Description dtmc(const std::vector<std::vector<Branch>>& rows);
 [[nodiscard]] Description mdp(std::vector<std::vector<Choice>> states);
 
 [[nodiscard]] StateSet set_of(std::size_t states, const std::vector<State>& members);
 
-/// Encloses a value in adjacent doubles, or in twice the same double if the value is one.
+/// Encloses a value in adjacent doubles. If the value is a double, both bounds are equal to it.
 [[nodiscard]] Number enclosing(const Rational& value);
 
-/// A model with exact numbers.
+/// Returns the model with exact numbers.
 [[nodiscard]] Model model_of(const Description& description);
 [[nodiscard]] Rewards rewards_of(const Description& description);
 

@@ -25,7 +25,7 @@ std::vector<Rational> solved(Matrix a, std::vector<Rational> b) {
     return b;
 }
 
-/// Solves x = earned + P x for the unknown states; the other values are given.
+/// Solves x = earned + P x for the unknown states. The other values are given.
 std::vector<Rational> expectations(const Matrix& matrix, const std::vector<Rational>& earned, const StateSet& unknown,
                                    std::vector<Rational> values) {
     std::vector<State> states;
@@ -245,7 +245,8 @@ Values long_run_reward(const Description& description) {
             if (reaches[state][to]) component.push_back(to);
         }
         if (transient[state]) continue;
-        // The stationary distribution solves the transpose of P with one equation replaced by the sum 1.
+        // The stationary distribution solves the transpose of the equations with P. One of them is replaced by the sum
+        // 1.
         Matrix a(component.size(), std::vector<Rational>(component.size()));
         std::vector<Rational> b(component.size(), 0);
         for (std::size_t row = 1; row < component.size(); ++row) {

@@ -6,12 +6,12 @@
 namespace robochart::markov {
 namespace {
 
-/// Uses the remainder, which is the same for every standard library.
+/// Returns a remainder, which is the same for every standard library.
 std::size_t below(std::mt19937_64& numbers, std::size_t bound) {
     return static_cast<std::size_t>(numbers() % bound);
 }
 
-/// Some weights are rare events, and some are not representable as doubles.
+/// Returns a random weight. Some weights are rare events, and some are not representable as doubles.
 Rational random_weight(std::mt19937_64& numbers) {
     switch (below(numbers, 12)) {
         case 0:
@@ -40,7 +40,7 @@ Choice random_choice(std::mt19937_64& numbers, std::size_t states, const RandomS
     return choice;
 }
 
-/// All models that are one change smaller.
+/// Returns all models that are one change smaller.
 std::vector<Description> smaller(const Description& description) {
     std::vector<Description> found;
     const auto changed = [&](const auto& change) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random small models, and shrinking of models for which a test fails.
+// Makes random small models, and shrinks models for which a test fails.
 #pragma once
 
 #include <functional>
@@ -20,10 +20,10 @@ struct RandomSizes {
 
 [[nodiscard]] Description random_description(std::mt19937_64& numbers, Kind kind, const RandomSizes& sizes = {});
 
-/// Returns the reason why a model fails the test; nullopt if it passes.
+/// Returns the reason why a model fails the test, or nullopt if it passes.
 using Fault = std::function<std::optional<std::string>(const Description&)>;
 
-/// Shrinks a model that fails the test; returns the smallest model found and its fault, as text.
+/// Shrinks a model that fails the test. Returns the smallest model found and its fault, as text.
 [[nodiscard]] std::string smallest(Description description, const Fault& fault);
 
 }  // namespace robochart::markov

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models on which simpler methods fail; the values follow by reasoning.
+// Tests models on which simpler methods fail. The values follow by reasoning.
 #include <gtest/gtest.h>
 
 #include "prism/markov/operators/bounded.hpp"
@@ -21,9 +21,9 @@ StateSet all_states(const Model& model) {
     return StateSet(model.states(), true);
 }
 
-/// After Haddad and Monmege (Interval iteration algorithm for MDPs and IMDPs, 2018): from the middle, `length` steps of
-/// probability 1/2 in one direction, each of which may lead back to the middle. By symmetry each end has probability
-/// 1/2. The states are 0 .. 2 length; the middle is `length`.
+/// Returns a model after Haddad and Monmege (Interval iteration algorithm for MDPs and IMDPs, 2018). From the middle,
+/// `length` steps of probability 1/2 lead in one direction, and each of them may lead back to the middle instead. By
+/// symmetry each end has probability 1/2. The states are 0 .. 2 length, and the middle is `length`.
 Description slow_chain(State length) {
     std::vector<std::vector<Branch>> rows;
     for (State state = 0; state <= 2 * length; ++state) {
@@ -43,15 +43,15 @@ TEST(Classics, ASlowChainIsSolvedToTheLastDigits) {
             until(model, all_states(model), set_of(model.states(), {2 * length}), Direction::minimum);
         expect_encloses(solution.values[length], Rational(1, 2));
         EXPECT_EQ(solution.shortfall, "");
-        // From the first state on the right, the end is reached directly with probability 2^(1-length), otherwise with
-        // 1/2 from the middle.
+        // From the first state on the right, the end is reached directly with probability 2^(1-length). Otherwise it is
+        // reached from the middle with probability 1/2.
         const Rational at_once(1, boost::multiprecision::cpp_int(1) << (length - 1));
         expect_encloses(solution.values[length + 1], at_once + (1 - at_once) / 2);
     }
 }
 
-/// The chain of the previous test; in every state except the ends a second choice is to stay. A maximising scheduler
-/// never stays forever. The loops are end components without value.
+/// The chain of the previous test, in which every state except the ends has a second choice: to stay. A maximising
+/// scheduler never stays forever. The loops are end components without value.
 TEST(Classics, ASlowMdpWithLoops) {
     for (const State length : {10U, 20U, 40U}) {
         Description description = slow_chain(length);
@@ -68,8 +68,8 @@ TEST(Classics, ASlowMdpWithLoops) {
     }
 }
 
-/// Every step has two equally good alternatives, one of which takes twice as long. Both are optimal, but a proof that
-/// considers only one of them accepts only this one.
+/// Every step has two equally good alternatives, one of which takes twice as long. Both are optimal. A proof that
+/// considers only one of them would accept only that one.
 TEST(Classics, EquallyGoodChoicesOfDifferentLength) {
     std::vector<std::vector<Choice>> states;
     constexpr State length = 30;
@@ -160,7 +160,7 @@ TEST(Classics, TheBudgetEndsAnyOfThem) {
                  diagnostics::LimitReached);
 }
 
-/// A million states: the algorithms must not be recursive, quadratic or imprecise.
+/// With a million states, the algorithms must not be recursive, quadratic or imprecise.
 TEST(Classics, AMillionStates) {
     constexpr State length = 1'000'000;
     Model model;
@@ -168,7 +168,7 @@ TEST(Classics, AMillionStates) {
     model.numbers = {{0.5, 0.5}, {1, 1}};
     model.first_choice = {0};
     model.first_branch = {0};
-    for (State state = 0; state < length; ++state) {  // back one step or forward one step; from the start only forward
+    for (State state = 0; state < length; ++state) {  // back or forward by one step; from the start only forward
         if (state == 0 || state + 1 == length) {
             model.target.push_back(state == 0 ? 1 : state);
             model.number.push_back(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All operators on random models: enclosures contain the naive solver's value and are narrow, rationals are equal to
-// it, and strategies attain it.
+// Tests all operators on random models. Enclosures contain the naive solver's value and are narrow, rationals are equal
+// to it, and strategies attain it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -50,7 +50,7 @@ Faults exact_fault(const std::string& what, const ExactSolution& found, const na
     return std::nullopt;
 }
 
-/// The choices of a strategy, numbered from the first choice of each state.
+/// Returns the choices of a strategy, numbered from the first choice of each state.
 naive::Scheduler scheduler_of(const Description& description, const std::vector<std::uint32_t>& strategy) {
     const Model model = model_of(description);
     naive::Scheduler scheduler;
@@ -199,7 +199,7 @@ Faults bounded_fault(const Description& description) {
     return std::nullopt;
 }
 
-/// U>=from by definition: the value of the unbounded until after `from` steps.
+/// Compares U>=from with its definition: the value of the unbounded until after `from` steps.
 Faults lower_bounded_fault(const Description& description) {
     const Model model = model_of(description);
     for (const Direction direction : {Direction::minimum, Direction::maximum}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds for chains with uncertain probabilities: computed by hand, compared with each vertex of the bounds, and the
-// coverage of bounds for estimated chains.
+// Tests bounds for chains with uncertain probabilities. They are computed by hand, and compared with each vertex of the
+// bounds. The test also checks the coverage of bounds for estimated chains.
 #include "prism/markov/operators/robust.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace robochart::markov {
 namespace {
 
-/// State 0 leads to 1 with a probability between 0.2 and 0.4, otherwise back to 0.
+/// Returns a chain in which state 0 leads to 1 with a probability between 0.2 and 0.4, and otherwise back to 0.
 UncertainChain waiting() {
     return {{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {{1, 1, 1}}};
 }
@@ -51,9 +51,10 @@ TEST(Robust, TheModelOfPrismsManual) {
 }
 
 /// In interval Markov chains nature chooses again at every visit of a state (as in PRISM's robust verification, which
-/// uses interval MDPs). With two steps left the fast way is better, although it fails with probability one half. With
-/// three steps left the sure way is better. A single chain that takes the sure way with probability l reaches the goal
-/// within three steps with probability 0.375 + 0.125 l, at most 0.5. Nature reaches it with 0.5 (0.5 0.5) + 0.5.
+/// uses interval MDPs). With two steps left, the fast path is better, although it fails with probability one half. With
+/// three steps left, the sure path is better. A single chain that takes the sure path with probability l reaches the
+/// goal within three steps with probability 0.375 + 0.125 l, which is at most 0.5. Nature reaches it with 0.5 (0.5 0.5)
+/// + 0.5.
 TEST(Robust, NatureChoosesAnewInEachStep) {
     constexpr State quick = 1, sure = 2, surer = 3, there = 4, lost = 5;
     const UncertainChain chain{
@@ -70,11 +71,11 @@ TEST(Robust, NatureChoosesAnewInEachStep) {
     EXPECT_NEAR(most[2][0], 0.25, 1e-12);
     EXPECT_NEAR(most[3][0], 0.625, 1e-12);
     EXPECT_NEAR(most[4][0], 0.8125, 1e-12);
-    // For the minimum, nature takes the fast way with three steps left and the sure way with two.
+    // For the minimum, nature takes the fast path with three steps left and the sure path with two.
     EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::minimum)[3][0], 0.5 * 0 + 0.5 * 0.5, 1e-12);
 }
 
-/// Three successors have the values 1, 0.5 and 0 after one more step. An upper bound of a branch does not matter if
+/// After one more step, three successors have the values 1, 0.5 and 0. An upper bound of a branch does not matter if
 /// less probability mass remains.
 TEST(Robust, MassGoesWhereItCounts) {
     const UncertainChain chain{
@@ -84,7 +85,8 @@ TEST(Robust, MassGoesWhereItCounts) {
         {{3, 1, 1}},
     };
     const StateSet goal{false, true, false, false};
-    // Maximum: 0.5 to the goal, 0.4 to the state of value 0.5, 0.1 lost. Minimum: 0.1, 0.2 and 0.7.
+    // For the maximum, nature gives 0.5 to the goal, 0.4 to the state of value 0.5, and 0.1 to the state of value 0.
+    // For the minimum, it gives them 0.1, 0.2 and 0.7.
     EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::maximum)[2][0], 0.5 + 0.5 * 0.4, 1e-12);
     EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::minimum)[2][0], 0.1 + 0.5 * 0.2, 1e-12);
 }
@@ -117,7 +119,7 @@ TEST(Robust, Costs) {
     EXPECT_EQ(cost_bounds(waiting(), goal, {2, 7}, Direction::maximum)[1], 0);
 }
 
-/// An initial state without cost, which may lead directly to the goal.
+/// An initial state without cost may lead directly to the goal.
 TEST(Robust, CostsBehindAStart) {
     const UncertainChain chain{{{1, 0.5, 0.75}, {2, 0.25, 0.5}}, {{1, 0.6, 0.8}, {2, 0.2, 0.4}}, {{2, 1, 1}}};
     const StateSet goal{false, false, true};
@@ -127,8 +129,8 @@ TEST(Robust, CostsBehindAStart) {
     EXPECT_NEAR(most, 0.75 * 5, 1e-4);
 }
 
-/// There is no upper bound if nature may stay forever, or may lead to such a state, or if the number of rounds is too
-/// small.
+/// There is no upper bound if nature may stay forever, if it may lead to a state in which it may stay, or if the number
+/// of rounds is too small.
 TEST(Robust, CostsWithoutBound) {
     const UncertainChain chain{{{0, 0, 0.5}, {1, 0.5, 1}, {2, 0, 0.1}}, {{1, 1, 1}}, {{1, 0, 1}, {2, 0, 1}}};
     const StateSet goal{false, true, false};
@@ -145,8 +147,8 @@ TEST(Robust, CostsWithoutBound) {
     EXPECT_NEAR(cost_bounds(apart, goal, cost, Direction::maximum)[0], 2, 1e-4);
 }
 
-/// The chain goes away with a probability a from 0.2 to 0.4, and back with 0.5. It is away for a / (a + 0.5) of the
-/// time. With a period it is away for half of that.
+/// The chain leaves its state with a probability a from 0.2 to 0.4, and returns with 0.5. So it is away for a / (a +
+/// 0.5) of the time. With a period it is away for half of that.
 TEST(Robust, Averages) {
     const UncertainChain chain{{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {{0, 0.5, 0.5}, {1, 0.5, 0.5}}};
     const double least = average_bound(chain, 0, {0, 1}, Direction::minimum);
@@ -163,7 +165,7 @@ TEST(Robust, Averages) {
 
 // ---------------------------------------------------------------- a swarm that can be lumped
 
-/// Robots search and carry independently. The number of carrying robots is a Markov chain.
+/// Robots search and carry independently, so the number of carrying robots is a Markov chain.
 constexpr std::size_t robots = 3;
 constexpr double finds = 0.15;
 constexpr double drops = 0.25;
@@ -188,8 +190,8 @@ statistics::StateSequence run(std::mt19937_64& random) {
     return seen;
 }
 
-/// The probability that all robots carry at some time up to each step, computed with the eight states of the individual
-/// robots.
+/// Returns the probability that all robots carry at some time up to each step. It is computed with the eight states of
+/// the individual robots.
 std::array<double, horizon + 1> truth() {
     std::array<double, 8> now{1};
     std::array<double, horizon + 1> result{};

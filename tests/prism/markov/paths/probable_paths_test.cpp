@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The most probable paths compared with all paths by definition.
+// Compares the most probable paths with all paths by definition.
 #include "prism/markov/paths/probable_paths.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The first choice of each state.
+/// Returns the first choice of each state.
 std::vector<std::uint32_t> first_choices(const Model& model) {
     return {model.first_choice.begin(), model.first_choice.end() - 1};
 }
@@ -27,7 +27,7 @@ PathSet paths(const Description& description, std::optional<std::uint64_t> steps
         {graph, strategy, description.left, description.right, from, steps, bound, strict, 1'000'000'000, nullptr});
 }
 
-/// State 0 goes to 1 with probability 1/2, to 2 with 1/4, or stays. State 1 goes to 2.
+/// Returns a chain. State 0 goes to 1 with probability 1/2, to 2 with 1/4, or stays. State 1 goes to 2.
 Description small() {
     Description result = dtmc({{{0, 1}, {1, 2}, {2, 1}}, {{2, 1}}, {{2, 1}}});
     result.left = set_of(3, {0, 1});
@@ -37,8 +37,8 @@ Description small() {
 
 TEST(ProbablePaths, ComeInTheOrderOfTheirProbability) {
     const PathSet found = paths(small(), {}, 0.9);
-    // The path 0 1 2 has probability 1/2, and 0 2 has 1/4. With one more 0 they have 1/8 and 1/16. The sum 1/2 + 1/4 +
-    // 1/8 + 1/16 is above 0.9.
+    // The path 0 1 2 has probability 1/2, and 0 2 has 1/4. With one more 0 at the start they have 1/8 and 1/16. The sum
+    // 1/2 + 1/4 + 1/8 + 1/16 is above 0.9.
     ASSERT_EQ(found.paths.size(), 4U);
     EXPECT_TRUE(found.enough);
     EXPECT_EQ(found.paths[0].states, (std::vector<State>{0, 1, 2}));
@@ -70,7 +70,7 @@ TEST(ProbablePaths, LoopsThatCostNothingAreNoTrap) {
     EXPECT_EQ(found.paths.size(), 3U);
 }
 
-/// With a step bound there are finitely many paths. Each path that counts is found exactly once, and together they have
+/// With a step bound there are finitely many paths. Each path to a target is found exactly once, and together they have
 /// the probability of the definition.
 TEST(ProbablePaths, AllPathsTogetherHaveTheProbability) {
     std::mt19937_64 numbers(17);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both kinds of outward rounding compared with rationals.
+// Compares both kinds of outward rounding with rationals.
 #include "prism/markov/solve/interval.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ Interval interval(Enclosure enclosure) {
     return {enclosure.low, enclosure.high};
 }
 
-/// The bounds are those of the exact result, rounded outward by less than two adjacent doubles.
+/// Checks that the bounds are those of the exact result, rounded outward by less than two adjacent doubles.
 void expect_tight(const Enclosure& found, const Rational& low, const Rational& high) {
     EXPECT_LE(Rational(found.low), low);
     EXPECT_GE(Rational(found.high), high);
@@ -62,7 +62,7 @@ Hull hull(Enclosure left, Enclosure right, Operation operation) {
 
 constexpr int times = 5'000;
 
-/// The operation on intervals, computed with upward rounding.
+/// Computes the operation on intervals with upward rounding.
 template <class Operation>
 Enclosure upward(Enclosure left, Enclosure right, Operation operation) {
     const RoundUpward mode;

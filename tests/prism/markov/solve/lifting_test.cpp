@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact solutions by p-adic lifting, and the arithmetic that it uses.
+// Tests exact solutions by p-adic lifting, and the arithmetic that it uses.
 #include "prism/markov/solve/lifting.hpp"
 
 #include <gtest/gtest.h>
@@ -51,9 +51,9 @@ TEST(Reconstruction, Digits) {
     EXPECT_EQ(from_digits(std::span(digits).first(4), 10), 4'321);
 }
 
-/// numerator / denominator modulo a power of a prime.
+/// Returns numerator / denominator modulo a power of a prime.
 Integer quotient(const Integer& numerator, const Integer& denominator, const Integer& modulus, const Integer& prime) {
-    const Integer order = modulus / prime * (prime - 1);  // Euler: every unit to this power is 1
+    const Integer order = modulus / prime * (prime - 1);  // Euler's theorem: every unit to this power is 1
     const Integer inverse = powm(denominator, Integer(order - 1), modulus);
     const Integer result = numerator * inverse % modulus;
     return result < 0 ? Integer(result + modulus) : result;
@@ -71,8 +71,8 @@ TEST(Reconstruction, Fractions) {
         ASSERT_TRUE(found);
         EXPECT_EQ(Rational(found->numerator, found->denominator), Rational(numerator, denominator));
     }
-    // Fractions of 60 digits need a modulus of more than 124 digits. With a smaller one no fraction is found, and no
-    // wrong one.
+    // Fractions of 60 digits need a modulus of more than 124 digits. With a smaller modulus, no fraction is found,
+    // rather than a wrong one.
     for (int round = 0; round < 200; ++round) {
         const Integer denominator = 1 + (numbers() >> 4U);
         const Integer numerator = numbers() >> 4U;
@@ -108,8 +108,8 @@ struct Chain {
     Chain& operator=(const Chain&) = delete;
 };
 
-/// Each unknown leads to lower unknowns with positive probability, and the lowest one leads outside, so all of them
-/// leave. `unit` divides the denominators.
+/// Fills the chain with random equations. Each unknown leads to lower unknowns with positive probability, and the
+/// lowest one leads outside, so each unknown leads outside with positive probability. `unit` divides the denominators.
 void fill(std::mt19937_64& random, std::uint32_t unknowns, const Integer& unit, Chain& chain) {
     for (std::uint32_t unknown = 0; unknown < unknowns; ++unknown) {
         std::vector<Integer> weights;
@@ -140,7 +140,7 @@ void fill(std::mt19937_64& random, std::uint32_t unknowns, const Integer& unit, 
     chain.system.numbers = chain.numbers;
 }
 
-/// Gauss-Jordan elimination on the dense matrix 1 - A.
+/// Solves the system by Gauss-Jordan elimination on the dense matrix 1 - A.
 std::vector<Rational> dense_solution(const System<Rational>& system) {
     const std::size_t size = system.size();
     std::vector<std::vector<Rational>> matrix(size, std::vector<Rational>(size));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proved bounds from guesses: the bounds are correct for any guess.
+// Tests bounds that are proved from guesses. The bounds must be correct for any guess.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace robochart::markov {
 namespace {
 
 /// A system of equations with exact numbers, and the same system with enclosures of these numbers. Every choice leads
-/// outside with positive probability, so every policy leaves.
+/// outside with positive probability, so every policy eventually leads outside.
 struct Twins {
     std::vector<Rational> exact_numbers;
     std::vector<Interval> numbers;
@@ -81,7 +81,7 @@ void expect_enclosed(const std::vector<Interval>& found, const std::vector<Ratio
     }
 }
 
-/// Keeps a guess, or changes it by an amount between a rounding error and twice its size.
+/// Keeps a guess, or changes it by an amount from the size of a rounding error to twice the guess.
 void disturb(std::mt19937_64& numbers, Guesses& guesses) {
     const double size = std::ldexp(1.0, -static_cast<int>(below(numbers, 50)));
     const auto disturbed = [&](double value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of rclcpp that generated nodes use, for tests: messages are delivered immediately, and timers fire when the
-// test requests it. ROS 2 is not in Debian 12; the names and signatures are those of its published headers (Humble,
+// The parts of rclcpp that generated nodes use, for tests. Messages are delivered immediately, and timers fire when the
+// test requests it. ROS 2 is not in Debian 12, so the names and signatures are those of its published headers (Humble,
 // Jazzy).
 #pragma once
 
@@ -32,10 +32,10 @@ public:
     QoS& best_effort() { return reliable_ = false, *this; }
     QoS& transient_local() { return latched_ = true, *this; }
     QoS& durability_volatile() { return latched_ = false, *this; }
-    /// The policy Depth of QosOverridingOptions.
+    /// Applies the policy Depth of QosOverridingOptions.
     void override_depth(std::size_t depth) { depth_ = depth; }
 
-    /// For the test: "reliable, volatile, 10".
+    /// Returns the quality of service as text, for example "reliable, volatile, 10".
     [[nodiscard]] std::string text() const {
         return std::string(reliable_ ? "reliable" : "best_effort") +
                (latched_ ? ", transient_local, " : ", volatile, ") + std::to_string(depth_);
@@ -59,11 +59,11 @@ private:
     std::vector<QosPolicyKind> policies_;
 };
 
-/// The state that the test inspects: topics by their full names, timers in the order of their creation.
+/// The state that the test inspects. Topics have their full names, and timers are in the order of their creation.
 struct Network {
     std::map<std::string, std::vector<std::function<void(const std::any&)>>> listeners;
     std::map<std::string, std::vector<std::any>> published;
-    std::vector<std::string> order;               ///< the topic of each published message, but for diagnostics
+    std::vector<std::string> order;               ///< the topic of each published message, without diagnostics
     std::map<std::string, std::string> quality;   ///< of publishers and subscriptions
     std::map<std::string, std::size_t> policies;  ///< number of policies that parameters may override
     std::map<std::string, std::any> parameters;   ///< as given on the command line
@@ -83,7 +83,7 @@ struct Network {
     std::set<std::string> servers;                      ///< services that exist
     std::map<int, std::function<void()>> pre_shutdown;  ///< callbacks of the context, by number
 
-    /// The program ends.
+    /// Ends the program.
     void shut_down() const {
         for (const auto& [number, callback] : pre_shutdown) callback();
     }
@@ -95,7 +95,7 @@ struct Network {
     void send(const std::string& topic, const Message& message) {
         for (const auto& listener : listeners.at(topic)) listener(message);
     }
-    /// The timers that exist and are running.
+    /// Returns the timers that exist and are running.
     [[nodiscard]] std::vector<std::shared_ptr<Timer>> running() const {
         std::vector<std::shared_ptr<Timer>> result;
         for (const auto& weak : timers)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of rclcpp_action that generated nodes use, for tests: a client, whose server the test plays. ROS 2 is not
-// in Debian 12; the names and signatures are those of its published headers (Humble, Jazzy).
+// The parts of rclcpp_action that generated nodes use, for tests: a client, for which the test is the server. ROS 2 is
+// not in Debian 12, so the names and signatures are those of its published headers (Humble, Jazzy).
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ public:
             feedback_callback;
         std::function<void(const typename Handle::WrappedResult&)> result_callback;
     };
-    /// A goal as the server sees it.
+    /// A goal, as its server sees it.
     struct Sent {
         typename Action::Goal goal;
         SendGoalOptions options;
@@ -55,7 +55,7 @@ public:
             options.result_callback({code, std::make_shared<typename Action::Result>()});
         }
     };
-    /// All goals of this type of action, by the name of the server.
+    /// Returns all goals of this type of action, by the name of the server.
     static std::map<std::string, std::vector<Sent>>& goals() {
         static std::map<std::string, std::vector<Sent>> sent;
         return sent;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registration of a component, for tests: checks the requirements of the real macro on the class.
+// The registration of a component, for tests. It checks that the class meets the requirements of the real macro.
 #pragma once
 
 #include <type_traits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of rclcpp_lifecycle::LifecycleNode that generated nodes use, for tests: the states of
+// The parts of rclcpp_lifecycle::LifecycleNode that generated nodes use, for tests. The states are those of
 // design.ros2.org/articles/node_lifecycle.html. If a callback fails, the node keeps its state.
 #pragma once
 
@@ -80,7 +80,7 @@ public:
     std::shared_ptr<rclcpp::Client<Service>> create_client(const std::string& name) {
         return std::make_shared<rclcpp::Client<Service>>(full(name));
     }
-    /// A parameter that may have a value of another type (dynamic_typing). The range applies to doubles.
+    /// Declares a parameter. Its value may have another type (dynamic_typing). The range applies to doubles.
     rclcpp::ParameterValue declare_parameter(const std::string& name, const rclcpp::ParameterValue& value,
                                              const rcl_interfaces::msg::ParameterDescriptor& descriptor) {
         rclcpp::Network::get().declared[name] = descriptor;
@@ -126,7 +126,8 @@ private:
         if (state_.label() == from && (this->*callback)(state_) == CallbackReturn::SUCCESS) state_ = State(to);
         return state_;
     }
-    /// Applies the parameters that the options declare (here the depth). A second declaration is an error.
+    /// Applies the parameters that the options declare, which is only the depth here. It is an error to declare a
+    /// parameter twice.
     rclcpp::QoS overridden(const std::string& topic, const std::string& kind, rclcpp::QoS qos,
                            const rclcpp::QosOverridingOptions& options) {
         rclcpp::Network& network = rclcpp::Network::get();
@@ -141,7 +142,8 @@ private:
         network.quality[full(topic)] = qos.text();
         return qos;
     }
-    /// A private topic, `~/x`, is below the node's name; other topics are in the root namespace.
+    /// Returns the full name of a topic. A private topic, `~/x`, is below the node's name. Other topics are in the root
+    /// namespace.
     [[nodiscard]] std::string full(const std::string& topic) const {
         return topic.rfind("~/", 0) == 0 ? "/" + name_ + topic.substr(1) : topic[0] == '/' ? topic : "/" + topic;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A publisher that publishes while its node is active, for tests.
+// A publisher that publishes only while its node is active, for tests.
 #pragma once
 
 #include <memory>
