@@ -77,10 +77,11 @@ std::string opposite_claim(const ir::Property& property) {
 class Asserter {
 public:
     Asserter(const Project& project, NameManager& names, Emitted& emitted)
-        : project_(project), names_(names), emitted_(emitted), own_(ir::own_constants(project.system)) {
-        for (const ir::NamedConstant& constant : ir::named_constants(project.system))
-            if (ir::is_cycle_name(constant.name) && !constant.has_value) open_cycles_.insert(constant.name);
-    }
+        : project_(project),
+          names_(names),
+          emitted_(emitted),
+          open_cycles_(open_cycles(project.system)),
+          own_(ir::own_constants(project.system)) {}
 
     Obligation make_obligation(std::uint32_t index);
 
@@ -394,11 +395,9 @@ std::string Asserter::open_registers(const ir::ComponentRef& ref, const ir::Prop
         return component->machine->inputs.empty()
                    ? ""
                    : ref.path + " alone has no cycle, which would read its inputs: claim it of a machine that calls it";
-    for (const ConstantParameter& constant : component->constants)
-        if (constant.constant == ir::cycle_length &&
-            open_cycles_.contains(constant.source.empty() ? constant.value : constant.source) &&
-            !find_argument({constant.parameter, constant.source, constant.value}, property))
-            return ref.path + " has no cycleDef, so its cycles have no length: add `cycleDef cycle == 1`";
+    for (const ConstantParameter* constant : open_parameters(*component, open_cycles_))
+        if (!find_argument({constant->parameter, constant->source, constant->value}, property))
+            return missing_cycle(ref.path);
     return "";
 }
 
@@ -488,6 +487,27 @@ Obligation Asserter::make_obligation(std::uint32_t index) {
 }
 
 }  // namespace
+
+std::set<std::string> open_cycles(const ir::System& system) {
+    std::set<std::string> result;
+    for (const ir::NamedConstant& constant : ir::named_constants(system))
+        if (ir::is_cycle_name(constant.name) && !constant.has_value) result.insert(constant.name);
+    return result;
+}
+
+std::vector<const ConstantParameter*> open_parameters(const ComponentEmission& component,
+                                                      const std::set<std::string>& open_cycles) {
+    std::vector<const ConstantParameter*> result;
+    for (const ConstantParameter& constant : component.constants)
+        if (constant.constant == ir::cycle_length &&
+            open_cycles.contains(constant.source.empty() ? constant.value : constant.source))
+            result.push_back(&constant);
+    return result;
+}
+
+std::string missing_cycle(const std::string& component) {
+    return component + " has no cycleDef, so its cycles have no length: add `cycleDef cycle == 1`";
+}
 
 ExprPtr default_process(const Project& project, const std::string& path, const ComponentEmission& component,
                         const std::string& variant) {

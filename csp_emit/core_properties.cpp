@@ -30,25 +30,41 @@ public:
 
     std::vector<Obligation> make_obligations() {
         const auto plain = cspm::Model::none;
+        if (!open_parameters(component_, open_cycles(project_.system)).empty()) {
+            Obligation& open = add_required(PropertyKind::timelock_free, "timelock-free", nullptr);
+            open.assertions.clear();
+            open.reason = missing_cycle(path_);
+            return std::move(obligations_);
+        }
         add_required(PropertyKind::deadlock_free, "deadlock-free",
                      deadlock_free(running_on(process_, "r__"), project_.is_timed(), plain));
         add_required(PropertyKind::divergence_free, "divergence-free",
                      b::assert_property(process_, cspm::AssertionKind::divergence_free, plain));
         if (project_.is_timed()) {
-            add_required(PropertyKind::timelock_free, "timelock-free",
-                         timelock_free(b::hide(running_on(process_, "tock"),
-                                               b::productions(outputs_of(emitted_.provenance, path_)))));
+            add_required(PropertyKind::timelock_free, "timelock-free", time_goes_on());
             add_clocks();
         }
         add_information(PropertyKind::deterministic, "deterministic",
                         b::assert_property(process_, cspm::AssertionKind::deterministic, plain));
         add_information(PropertyKind::terminates, "never terminates", never_terminates(process_)).negated = true;
         add_states();
-        add_transitions();
+        // The end of a cycle does not show which transition ended it.
+        if (!runs_in_cycles()) add_transitions();
         return std::move(obligations_);
     }
 
 private:
+    [[nodiscard]] bool runs_in_cycles() const { return !cycle_events_of(emitted_.provenance, path_).empty(); }
+
+    /// Time can pass, or what the environment takes before time passes is on offer. In RoboSim, this is every event: a
+    /// component that offers an event reads or writes a register, or ends its execution.
+    [[nodiscard]] cspm::DeclPtr time_goes_on() const {
+        const ExprPtr going_on = running_on(process_, "tock");
+        if (runs_in_cycles())
+            return b::assert_property(going_on, cspm::AssertionKind::deadlock_free, cspm::Model::failures);
+        return timelock_free(b::hide(going_on, b::productions(outputs_of(emitted_.provenance, path_))));
+    }
+
     Obligation& add_required(PropertyKind kind, const std::string& what, cspm::DeclPtr assertion) {
         Obligation& obligation = obligations_.emplace_back();
         obligation.kind = kind;
@@ -67,7 +83,8 @@ private:
 
     /// Adds the clock properties of a machine; each clock is checked in an instrumented copy of the machine.
     void add_clocks() {
-        if (component_.machine == nullptr) return;
+        // In RoboSim, every clock begins at 0.
+        if (component_.machine == nullptr || component_.machine->robosim) return;
         for (const ir::Clock& clock : component_.machine->clocks) {
             if (clock.entry_of.is_valid()) continue;  // reset by the entry of a state
             const WatchedCopy watch =
@@ -141,14 +158,11 @@ std::vector<Obligation> core_properties(const Project& project, NameManager& nam
              CoreProperties(project, names, emitted, name, fmt::format("{} {}", kind, name)).make_obligations())
             result.push_back(std::move(obligation));
     };
-    // the required properties of RoboSim components differ, because time passes only at the end of a cycle
-    for (const ir::Module& module : project.system.modules)
-        if (!module.robosim) ask(module.package, module.name, "module");
+    for (const ir::Module& module : project.system.modules) ask(module.package, module.name, "module");
     for (const ir::Controller& controller : project.system.controllers)
-        if (!controller.robosim) ask(controller.package, controller.path, "controller");
+        ask(controller.package, controller.path, "controller");
     for (const ir::Machine& machine : project.system.machines)
-        if (machine.kind == ir::MachineKind::state_machine && !machine.robosim)
-            ask(machine.package, machine.path, "state machine");
+        if (machine.kind == ir::MachineKind::state_machine) ask(machine.package, machine.path, "state machine");
     return result;
 }
 

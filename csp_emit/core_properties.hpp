@@ -13,7 +13,8 @@ namespace robochart::csp_emit {
 /// The core properties of every module, controller and state machine, component by component. The required properties
 /// are that the component has no deadlock, divergence or timelock, and that no clock is read before it is set. The
 /// other properties are informative. A terminated component counts neither as deadlocked nor as stopping time. The
-/// platform is assumed to accept every call, output and write at once.
+/// platform is assumed to accept every call, output and write at once. RoboSim components have these properties in the
+/// timed semantics only; their registers are read and written at once, and their clocks are always set.
 [[nodiscard]] std::vector<Obligation> core_properties(const Project&, NameManager&, Emitted&);
 
 }  // namespace robochart::csp_emit

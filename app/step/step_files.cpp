@@ -19,6 +19,8 @@
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "conformance/traces/trace_text.hpp"
+#include "cpp_emit/plan/types.hpp"
+#include "semantics/evaluate/carrier.hpp"
 
 namespace robochart::app {
 namespace {
@@ -47,7 +49,7 @@ std::string register_name(const std::string& name) {
 
 /// True for a read of the register of a variable, whose text is "x = 3".
 bool reads_variable(const runs::Event& event) {
-    return event.text.find(" = ") != std::string::npos;
+    return event.kind == Kind::read && event.text.find(" = ") != std::string::npos;
 }
 
 /// The values of an event in a log. RoboSim: the truth value that states whether a register is full is left out.
@@ -167,8 +169,17 @@ struct Wanted {
     bool terminates = false;
 };
 
+/// True if the cycle does not give the variable a new value, and the read finds its last value.
+bool reads_kept_value(const runs::Offer& offer, const Wanted& expected, const KeptValues& kept) {
+    if (!reads_variable(offer.happening.event)) return false;
+    const std::string given = register_name(offer.name) + "?";
+    return std::ranges::none_of(expected.inputs, [&](const std::string& word) { return word.starts_with(given); }) &&
+           kept.is_kept(offer);
+}
+
 /// The state after this event; no value if the log does not allow the event here.
-std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& expected, const Stepped& stepped) {
+std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& expected, const KeptValues& kept,
+                         const Stepped& stepped) {
     Node result = node;
     result.term = offer.step.target;
     if (offer.hidden) return result;
@@ -185,6 +196,7 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
             std::ranges::any_of(node.left, [&](const std::string& word) { return word.starts_with(input); });
         return full ? std::nullopt : std::optional(result);
     }
+    if (reads_kept_value(offer, expected, kept)) return result;
     const std::string word = word_of(offer, stepped);
     if (role == LogRole::input) return result.left.erase(word) > 0 ? std::optional(result) : std::nullopt;
     if (role != LogRole::output) return result;
@@ -196,6 +208,7 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
 /// Takes steps of the model that match one cycle of the log. Returns false if the model has no such steps.
 bool follow_cycle(runs::Stepper& stepper, const Wanted& expected, const Stepped& stepped, Run& run) {
     std::vector<Node> nodes{{stepper.current_term(), expected.inputs, 0, 0, 0, 0}};
+    const KeptValues kept(stepper.steps_taken(), stepped);
     using Key = std::tuple<process::TermId, std::set<std::string>, std::size_t, std::size_t>;
     std::set<Key> seen;
     const auto take_way_to = [&](std::size_t at) {
@@ -211,7 +224,7 @@ bool follow_cycle(runs::Stepper& stepper, const Wanted& expected, const Stepped&
         }
         const std::vector<runs::Offer> offers = stepper.offers_at(nodes[at].term);
         for (std::size_t i = 0; i < offers.size(); ++i) {
-            auto found = next(nodes[at], offers[i], expected, stepped);
+            auto found = next(nodes[at], offers[i], expected, kept, stepped);
             if (!found || !seen.insert({found->term, found->left, found->outputs, found->tocks}).second) continue;
             found->parent = at;
             found->offer = i;
@@ -342,6 +355,38 @@ std::optional<ReadRegister> read_register(const runs::Offer& offer) {
     const std::vector<runs::Value> values = logged_values(event);
     const bool valued = event.kind == Kind::read && !values.empty();
     return ReadRegister{register_name(offer.name), valued ? values.front().text : "", !reads_variable(event)};
+}
+
+KeptValues::KeptValues(const std::vector<runs::Taken>& steps, const Stepped& stepped) : stepped_(stepped) {
+    for (const runs::Taken& step : steps) {
+        const runs::Event& event = step.offer.happening.event;
+        if (step.offer.hidden || event.values.empty()) continue;
+        if (reads_variable(event) || event.kind == Kind::assignment)
+            values_[register_name(step.offer.name)] = event.values.back().text;
+    }
+}
+
+/// A register begins with the default of its type, as in the code (docs/robosim.md, "Code").
+bool KeptValues::is_default(const runs::Offer& read) const {
+    if (stepped_.project == nullptr) return false;
+    const auto script = stepped_.project->scripts.find(csp_emit::Time::timed);
+    if (script == stepped_.project->scripts.end()) return false;
+    const std::size_t constructor = read.name.find('.');  // "P::S::registerRead.P::S::i_x.3"
+    const std::size_t value = read.name.find('.', constructor + 1);
+    if (value == std::string::npos) return false;
+    const auto& events = script->second.provenance.events;
+    const auto meaning = events.find(read.name.substr(0, value));
+    if (meaning == events.end() || meaning->second.types.empty()) return false;
+    const ir::System& system = stepped_.project->system;
+    const ir::TypeId type = meaning->second.types.back();
+    const ir::Value first = ir::default_value(system, stepped_.project->instantiation, type);
+    return read.name.substr(value + 1) == cpp_emit::cspm_value(system, type, first);
+}
+
+bool KeptValues::is_kept(const runs::Offer& read) const {
+    const auto known = values_.find(register_name(read.name));
+    if (known == values_.end()) return is_default(read);
+    return read.happening.event.values.back().text == known->second;
 }
 
 std::string log_head(const Stepped& stepped) {

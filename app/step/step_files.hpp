@@ -3,8 +3,10 @@
 // has these steps.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/command/run.hpp"
 #include "counterexample/stepper.hpp"
@@ -36,6 +38,21 @@ struct ReadRegister {
 };
 /// No value if the offer is not a read.
 [[nodiscard]] std::optional<ReadRegister> read_register(const runs::Offer&);
+/// RoboSim: the values of the variables whose registers a component reads, before a cycle. A variable has the value
+/// that was last read or written; before the first cycle, it has the default of its type.
+class KeptValues {
+public:
+    /// The values after these steps.
+    KeptValues(const std::vector<runs::Taken>&, const Stepped&);
+    /// Whether the read of a variable finds this value.
+    [[nodiscard]] bool is_kept(const runs::Offer& read) const;
+
+private:
+    [[nodiscard]] bool is_default(const runs::Offer& read) const;
+
+    const Stepped& stepped_;
+    std::map<std::string, std::string> values_;  ///< by the name of the variable
+};
 /// The first lines of a log.
 [[nodiscard]] std::string log_head(const Stepped&);
 

@@ -25,6 +25,7 @@
 #include "driver/model/pipeline.hpp"
 #include "driver/rules/model_rules.hpp"
 #include "driver/rules/rule_claims.hpp"
+#include "semantics/lower/lower.hpp"
 
 namespace robochart::app {
 namespace {
@@ -248,6 +249,7 @@ private:
         const std::unique_ptr<driver::Project> project = driver::load_project(of_model, options_.run->budget());
         record_project(*project, of_model, options_);
         const csp_emit::Emission* emission = nullptr;
+        if (project->diagnostics.ok()) ir::leave_out_robosim(project->system, project->diagnostics, false);
         if (project->diagnostics.ok())
             emission = &emit_csp(*project, of_model.claims, of_model.swarm, csp_emit::Time::timed);
         record_block_values(*project, options_);

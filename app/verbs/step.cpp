@@ -80,10 +80,10 @@ private:
     void pass_time(const std::string& word);
     void take_random_steps(const std::string& word);
     void run_cycle(const std::string& words);
-    [[nodiscard]] bool read_registers(std::map<std::string, std::string> given);
+    [[nodiscard]] bool read_registers(const std::map<std::string, std::string>& given);
     [[nodiscard]] std::optional<std::size_t> choose_read(const std::map<std::string, std::string>& given) const;
+    [[nodiscard]] static bool is_open_read(const std::vector<runs::Offer>& offers, std::size_t offer);
     [[nodiscard]] bool at_reads() const;
-    [[nodiscard]] std::string last_value(const std::string& variable) const;
     void end_cycle();
     bool take_hidden_steps();
     void take(std::size_t offer);
@@ -260,53 +260,63 @@ std::map<std::string, std::string> read_inputs(const std::string& words) {
 
 }  // namespace
 
-bool Console::at_reads() const {
-    const auto offers = stepper_.offers_at(stepper_.current_term());
-    return std::ranges::any_of(
-        offers, [](const runs::Offer& offer) { return !offer.hidden && is_read(offer.happening.event); });
+/// True for a read of the environment, and for a hidden read whose result is open: a register that no connection fills
+/// has any content (docs/robosim.md, "Controllers and modules").
+bool Console::is_open_read(const std::vector<runs::Offer>& offers, std::size_t offer) {
+    const runs::Event& event = offers[offer].happening.event;
+    if (!is_read(event)) return false;
+    if (!offers[offer].hidden) return true;
+    const std::string name = read_register(offers[offer])->name;
+    return std::ranges::count_if(offers, [&](const runs::Offer& other) {
+               return other.hidden && is_read(other.happening.event) &&
+                      other.happening.event.component == event.component && read_register(other)->name == name;
+           }) > 1;
 }
 
-/// The value of the last read of a variable; "" if there is none.
-std::string Console::last_value(const std::string& variable) const {
-    std::string result;
-    for (const runs::Taken& step : stepper_.steps_taken())
-        if (const auto read = step.offer.hidden ? std::nullopt : read_register(step.offer);
-            read && read->name == variable)
-            result = read->value;
-    return result;
+bool Console::at_reads() const {
+    const auto offers = stepper_.offers_at(stepper_.current_term());
+    for (std::size_t i = 0; i < offers.size(); ++i)
+        if (is_open_read(offers, i)) return true;
+    return false;
 }
 
 /// Selects the offered read that fits the given inputs. If the command does not give an event, its register is read as
 /// empty; if it does not give a variable, the variable is read with its last value. No value if no read fits.
 std::optional<std::size_t> Console::choose_read(const std::map<std::string, std::string>& given) const {
     const std::vector<runs::Offer> offers = stepper_.offers_at(stepper_.current_term());
+    const KeptValues kept(stepper_.steps_taken(), stepped_);
     std::optional<std::size_t> first;
     for (std::size_t i = 0; i < offers.size(); ++i) {
+        if (!is_open_read(offers, i)) continue;
         const runs::Event& event = offers[i].happening.event;
-        const std::optional<ReadRegister> read = offers[i].hidden ? std::nullopt : read_register(offers[i]);
-        if (!read) continue;
-        const auto value = given.find(read->name);
+        const ReadRegister read = *read_register(offers[i]);
+        const auto value = given.find(read.name);
         if (value != given.end()) {
-            if (event.kind == runs::Kind::read && read->value == value->second) return i;
+            if (event.kind == runs::Kind::read && read.value == value->second) return i;
             continue;
         }
         if (event.kind == runs::Kind::empty_read) return i;
-        if (read->event) continue;
-        if (last_value(read->name) == read->value) return i;
+        if (read.event) continue;
+        if (kept.is_kept(offers[i])) return i;
         if (!first) first = i;
     }
     return first;
 }
 
-bool Console::read_registers(std::map<std::string, std::string> given) {
+/// Reads all registers of the cycle. Parts of a component may read theirs after hidden steps.
+bool Console::read_registers(const std::map<std::string, std::string>& given) {
     std::set<std::string> read;
-    while (at_reads()) {
+    for (std::size_t steps = 0; steps < most_settled; ++steps) {
+        if (!at_reads()) {
+            if (std::ranges::none_of(stepper_.current_offers(), &runs::Offer::hidden) || !take_hidden_steps()) break;
+            continue;
+        }
         const auto offer = choose_read(given);
         if (!offer) {
             report_wrong("an input has no such value: the offers show which values it has");
             return false;
         }
-        if (const auto found = read_register(stepper_.current_offers()[*offer])) read.insert(found->name);
+        read.insert(read_register(stepper_.current_offers()[*offer])->name);
         take(*offer);
     }
     for (const auto& [name, value] : given)
@@ -317,9 +327,9 @@ bool Console::read_registers(std::map<std::string, std::string> given) {
     return true;
 }
 
-/// Takes the hidden steps that are possible here if their order does not matter. This is the case if all orders lead to
-/// the same state without hidden steps, and this state offers every visible event that a state on the way offers.
-/// Otherwise takes no step and returns false.
+/// Takes the hidden steps that are possible here, except open reads, if their order does not matter. This is the case
+/// if all orders lead to the same state without such steps, and this state offers every visible event that a state on
+/// the way offers. Otherwise takes no step and returns false.
 bool Console::take_hidden_steps() {
     struct Node {
         process::TermId term{};
@@ -337,15 +347,15 @@ bool Console::take_hidden_steps() {
         const std::vector<runs::Offer> offers = stepper_.offers_at(nodes[at].term);
         for (std::size_t i = 0; i < offers.size(); ++i) {
             if (!offers[i].hidden) names.insert(offers[i].name);
-            stable = stable && !offers[i].hidden;
-            if (offers[i].hidden && seen.insert(offers[i].step.target).second)
-                nodes.push_back({offers[i].step.target, at, i});
+            if (!offers[i].hidden || is_open_read(offers, i)) continue;
+            stable = false;
+            if (seen.insert(offers[i].step.target).second) nodes.push_back({offers[i].step.target, at, i});
         }
         if (stable && end) return false;
         if (stable) end = at;
         (stable ? at_end : visible).insert(names.begin(), names.end());
     }
-    if (!end || !std::ranges::includes(at_end, visible)) return false;
+    if (!end || *end == 0 || !std::ranges::includes(at_end, visible)) return false;
     std::vector<std::size_t> way;
     for (std::size_t at = *end; at != 0; at = nodes[at].parent) way.push_back(nodes[at].offer);
     choices_.push_back(stepper_.steps_taken().size());
@@ -374,7 +384,6 @@ void Console::end_cycle() {
 
 void Console::run_cycle(const std::string& words) {
     if (!stepped_.cycle) return report_wrong("only RoboSim components run in cycles");
-    if (!at_reads()) take_hidden_steps();  // machines in a component may first read events between them
     if (read_registers(read_inputs(words))) end_cycle();
     const std::vector<runs::RunCycle> cycles = runs::cycles_of(stepper_.run(stepped_.time));
     if (!cycles.empty()) print("cycle {}   {}\n", cycles.size(), runs::text_of(cycles.back()));

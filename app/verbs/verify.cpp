@@ -51,6 +51,7 @@
 #include "semantics/ir/dump.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/lower.hpp"
+#include "semantics/rules.hpp"
 
 namespace robochart::app {
 namespace {
@@ -225,12 +226,29 @@ bool run_phases(driver::Project& project, const Options& options, bool code, Rep
 
 namespace {
 
+/// Whether the model has components, and all of them are of RoboSim.
+bool is_robosim_only(const ir::System& system) {
+    const std::size_t all = system.machines.size() + system.controllers.size() + system.modules.size();
+    return all > 0 && ir::robosim_components(system).size() == all;
+}
+
+/// RoboSim has only a timed semantics. Reports a request for the untimed script of a model without RoboChart
+/// components.
+bool allows_untimed(driver::Project& project, const std::string& option, const std::string& remedy) {
+    if (!is_robosim_only(project.system)) return true;
+    project.diagnostics.report(ir::rules::robosim_unsupported, model_place(project),
+                               {option, "its semantics is timed; " + remedy});
+    return false;
+}
+
 /// Writes the scripts of a project under this name. `notes` describe the classes of values in the project, if it has
 /// any; the scripts contain them as comments.
 bool write_scripts(driver::Project& project, const std::string& name, const std::vector<std::string>& notes,
                    const Options& options, Report& report) {
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
         if (!includes_time(options.claims.times, time)) continue;
+        const bool empty = time == csp_emit::Time::untimed && is_robosim_only(project.system);
+        if (empty && options.claims.times == driver::Times::both) continue;
         const csp_emit::Emission& emission = emit_csp(project, options.claims, options.swarm, time);
         if (!project.diagnostics.ok() ||
             !write_all("", csp_emit::files(emission, time, name, notes), report.csp_files, options, project))
@@ -242,6 +260,8 @@ bool write_scripts(driver::Project& project, const std::string& name, const std:
 }  // namespace
 
 bool write_csp(driver::Project& project, const Options& options, Report& report) {
+    const bool only_untimed = options.verb == Verb::emit_csp && options.claims.times == driver::Times::untimed;
+    if (only_untimed && !allows_untimed(project, "`--untimed`", "leave out `--untimed`")) return false;
     const auto other = driver::with_carriers_of_robotool(project);
     driver::Project& exported = other ? *other : project;
     bool written = write_scripts(exported, options.swarm.file.empty() ? project.name : project.name + "_swarm", {},
@@ -302,6 +322,20 @@ void check_capacities(const Options& options, const std::vector<cpp_emit::Emissi
     }
 }
 
+/// Throws UsageError if --strategy is given for a RoboSim component. It chooses the code that finds the reaction to one
+/// event (`dispatch`), and the code of such a component reads all its inputs at once.
+void check_strategy(const driver::Project& project, const std::vector<ir::ComponentRef>& components,
+                    const Options& options) {
+    if (options.code.strategy == cpp_emit::Strategy::automatic) return;
+    for (const ir::ComponentRef& component : components)
+        if (ir::is_robosim(project.system, component))
+            throw UsageError(
+                fmt::format("--strategy is about code that reacts to one event, and {} is written in RoboSim: its code "
+                            "reads all inputs of a cycle at once; leave out --strategy, or select a component of "
+                            "RoboChart with --component",
+                            ir::qualified_name(component)));
+}
+
 /// RoboSim: --cycle sets the cycles of the components in place of their `cycleDef`.
 void set_cycles(driver::Project& project, const std::vector<ir::ComponentRef>& components, const Options& options) {
     if (!options.code.cycle_given) return;
@@ -325,6 +359,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
                                    {options.load.component.empty() ? "the model" : options.load.component});
         return false;
     }
+    check_strategy(project, components, options);
     set_cycles(project, components, options);
     cpp_emit::Options generator;
     generator.cycle_length = options.code.cycle;
@@ -523,8 +558,18 @@ void check_conformance(driver::Project& project, const Options& options, Report&
 
 namespace {
 
+/// Why a report without assertions has none.
+std::string why_nothing_claimed(const std::vector<driver::Part>& parts, const Options& options) {
+    const bool robosim = std::ranges::any_of(
+        parts, [](const driver::Part& part) { return !ir::robosim_components(part.project->system).empty(); });
+    if (robosim && options.claims.times == driver::Times::untimed)
+        return "nothing was checked: RoboSim has no untimed semantics, and all claims about its components are timed; "
+               "leave out --untimed";
+    return "nothing is claimed of the model: there are no assertions to check";
+}
+
 /// A run that found nothing to check must not look like a successful check.
-void note_nothing_checked(const Options& options, Report& report) {
+void note_nothing_checked(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
     const auto decided = [](const driver::AssertionReport& assertion) {
         return assertion.answer != driver::Answer::no_check;
@@ -532,7 +577,7 @@ void note_nothing_checked(const Options& options, Report& report) {
     if (std::ranges::any_of(report.assertions, decided)) return;
     const auto claims = [](const ConformanceReport& one) { return !one.result.claims.empty(); };
     if (std::ranges::any_of(report.conformance, claims)) return;
-    report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
+    report.unclaimed = report.assertions.empty() ? why_nothing_claimed(parts, options)
                                                  : "nothing was checked: no assertion has a check in this semantics";
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
 }
@@ -662,7 +707,7 @@ Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, R
     if (const driver::Project* const stopped = first_refused(parts, options))
         return refuse_parts(*stopped, parts, options, report);
     note_refused(parts, options, report);
-    note_nothing_checked(options, report);
+    note_nothing_checked(parts, options, report);
     keep_page(parts, options, report);
     const bool accepted = show_all(parts, options);
     if (accepted && report.all_decided()) options.run->end_questions();
@@ -684,6 +729,10 @@ Exit take_phase(driver::Project& project, const Options& options, std::string& t
         return Exit::success;
     }
     const auto time = phase == Phase::script ? csp_emit::Time::untimed : csp_emit::Time::timed;
+    if (phase == Phase::script && !allows_untimed(project, "`--print script`", "`--print timed-script` prints it")) {
+        show_diagnostics(project, options);
+        return Exit::bad_input;
+    }
     const csp_emit::Emission& emission = emit_csp(project, options.claims, options.swarm, time);
     if (!show_diagnostics(project, options)) return Exit::bad_input;
     text += cspm::print(emission.script);

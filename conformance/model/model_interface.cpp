@@ -86,7 +86,7 @@ public:
             if (event.received) add_input(event.outside + ".in", event.type);
         for (const cpp_emit::StoredVariable& variable : component_.variables)
             if (!variable.input.empty() && !variable.copy)
-                add_input("set_EXT_" + variable.variable->name, variable.variable->type);
+                add_input("set_EXT_" + variable.name(), variable.variable->type);
         for (const cpp_emit::PlatformCall& call : component_.calls)
             add_output(call.signature->name + "Call", call.signature->parameters);
         for (const cpp_emit::EventPort& event : component_.events)
@@ -94,8 +94,7 @@ public:
                 add_output(event.outside + ".out",
                            event.type ? std::vector<ir::TypeId>{*event.type} : std::vector<ir::TypeId>{});
         for (const cpp_emit::StoredVariable& variable : component_.variables)
-            if (variable.visible && !variable.copy)
-                add_output("set_" + variable.variable->name, {variable.variable->type});
+            if (variable.visible && !variable.copy) add_output("set_" + variable.name(), {variable.variable->type});
         result_.numbers = NumberCollector(system_, instantiation_, component_).collect();
         return std::move(result_);
     }

@@ -47,8 +47,23 @@ bool contains_channel(const std::set<std::string>& events, const std::string& ch
     return next != events.end() && next->starts_with(channel + ".");
 }
 
+/// The events of components that the process hides or renames: the events in its prefixes with these names are not
+/// those that it performs.
+std::set<std::string> replaced_events(const csp_emit::Emission& emission, const ExprPtr& process) {
+    std::set<std::string> found;
+    const auto collect = [&](const ExprPtr& expr) {
+        if (const std::string event = event_named(expr, emission.provenance); !event.empty()) found.insert(event);
+    };
+    csp_emit::visit_named(emission, {process}, [&](const ExprPtr& expr) {
+        if (expr->kind == cspm::ExprKind::hide) csp_emit::visit_named(emission, {expr->args[1]}, collect);
+        if (expr->kind != cspm::ExprKind::rename) return;
+        for (const cspm::Link& link : expr->links) collect(link.from);
+    });
+    return found;
+}
+
 /// The events of components in prefixes of the expression and of the definitions that it uses, each with its first
-/// place.
+/// place, without those that it replaces.
 std::map<std::string, diagnostics::Span> prefixed_events(const csp_emit::Emission& emission, const ExprPtr& process) {
     std::map<std::string, diagnostics::Span> found;
     csp_emit::visit_named(emission, {process}, [&](const ExprPtr& expr) {
@@ -56,6 +71,7 @@ std::map<std::string, diagnostics::Span> prefixed_events(const csp_emit::Emissio
         if (const std::string event = event_named(expr->args[0], emission.provenance); !event.empty())
             found.try_emplace(event, expr->args[0]->span);
     });
+    for (const std::string& event : replaced_events(emission, process)) found.erase(event);
     return found;
 }
 
@@ -158,22 +174,22 @@ void SecondLook::add_time_stops(const ExprPtr& process, AssertionReport& report)
 
 /// Adds an entry if the violation is the passing of time. A specification without `tock` allows only events that occur
 /// before any time passes.
-void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& report) {
+void SecondLook::add_no_time(const cspm::Assertion& assertion, const std::string& specification,
+                             AssertionReport& report) {
     if (!report.run || report.run->end.kind != runs::EndKind::forbidden || !report.run->end.event ||
         report.run->end.event->kind != runs::Kind::tock)
         return;
     const Seen& seen = seen_of(assertion.specification);
     if (!seen.whole || seen.time_passes) return;
-    const std::string name = cspm::print(assertion.specification);
     add(report.basis,
         {GroundKind::no_time,
-         fmt::format("the specification `{}` never lets time pass", name),
+         fmt::format("the specification `{}` never lets time pass", specification),
          {},
          {},
          {},
          fmt::format("write `{} ||| RUN({{tock}})` if time may pass everywhere, `tock ->` where it may, or `untimed "
                      "assertion`",
-                     name)});
+                     specification)});
 }
 
 /// Adds those events of the specification that never occur in the implementation. What the specification requires after
@@ -194,10 +210,20 @@ void SecondLook::note_unreached_events(const cspm::Assertion& assertion, Asserti
     }
 }
 
-void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, AssertionReport& report) {
-    const cspm::Assertion& assertion = decl.assertion;
+/// The name of the specification in the claim. `equals` has two assertions; in the second, the subject is the
+/// specification. Claims that are not in an assertion file have no such name; theirs is the process in the script.
+std::string SecondLook::name_of_specification(const csp_emit::Obligation& obligation, std::size_t place) const {
+    if (obligation.property == ir::no_id) return cspm::print(obligation.assertions[place]->assertion.specification);
+    const ir::Property& property = project_.system.properties[obligation.property];
+    return ir::qualified_name(place == 0 ? property.other : property.subject);
+}
+
+void SecondLook::add_of_refinement(const csp_emit::Obligation& obligation, std::size_t place, AssertionReport& report) {
+    const cspm::Assertion& assertion = obligation.assertions[place]->assertion;
+    const bool timed = obligation.time == csp_emit::Time::timed;
     if (assertion.kind != cspm::AssertionKind::refinement || assertion.negated) return;
-    if (timed && report.answer == Answer::fails) add_no_time(assertion, report);
+    if (timed && report.answer == Answer::fails)
+        add_no_time(assertion, name_of_specification(obligation, place), report);
     if (report.answer != Answer::holds) return;
     // The entry is added only for processes of components. A process that a CSP block defines may stop time
     // intentionally.
@@ -254,7 +280,8 @@ void SecondLook::add_to(const csp_emit::Obligation& obligation, AssertionReport&
     if (!holds && report.answer != Answer::fails) return;
     const bool timed = obligation.time == csp_emit::Time::timed;
     if (is_refinement(obligation))
-        for (const cspm::DeclPtr& decl : obligation.assertions) add_of_refinement(*decl, timed, report);
+        for (std::size_t place = 0; place < obligation.assertions.size(); ++place)
+            add_of_refinement(obligation, place, report);
     if (!holds || !timed || obligation.negated != (obligation.kind == ir::PropertyKind::event_missed)) return;
     if (obligation.kind == ir::PropertyKind::deadlock_free) add_of_deadlock(obligation, report);
     if (obligation.kind == ir::PropertyKind::event_missed) add_of_missed_event(obligation, report);

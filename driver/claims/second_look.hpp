@@ -41,8 +41,9 @@ private:
     [[nodiscard]] cspm::ExprPtr with_outputs_taken(const cspm::ExprPtr&) const;
     [[nodiscard]] bool runs_in_cycles(const cspm::ExprPtr&) const;
     [[nodiscard]] cspm::ExprPtr subject_of(const csp_emit::Obligation&, const std::string& variant) const;
-    void add_of_refinement(const cspm::Decl&, bool timed, AssertionReport&);
-    void add_no_time(const cspm::Assertion&, AssertionReport&);
+    [[nodiscard]] std::string name_of_specification(const csp_emit::Obligation&, std::size_t place) const;
+    void add_of_refinement(const csp_emit::Obligation&, std::size_t place, AssertionReport&);
+    void add_no_time(const cspm::Assertion&, const std::string& specification, AssertionReport&);
     void note_unreached_events(const cspm::Assertion&, AssertionReport&);
     void add_of_deadlock(const csp_emit::Obligation&, AssertionReport&);
     void add_of_missed_event(const csp_emit::Obligation&, AssertionReport&);

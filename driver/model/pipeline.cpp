@@ -763,9 +763,20 @@ namespace {
 void check_component(const std::vector<Part>& parts, const LoadSettings& settings) {
     const std::string& component = settings.component;
     std::vector<std::string> known;
+    bool in_robosim = false;
     for (const Part& part : parts) {
-        if (component.empty() || !code_components(part.project->system, component, settings.robosim).empty()) return;
-        for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
+        const ir::System& system = part.project->system;
+        if (component.empty() || !code_components(system, component, settings.robosim).empty()) return;
+        in_robosim = in_robosim || !code_components(system, component, true).empty();
+        for (const ir::ComponentRef& ref : all_components(system))
+            if (settings.robosim || !ir::is_robosim(system, ref)) known.push_back(ref.path);
+    }
+    if (in_robosim) {
+        parts.front().project->diagnostics.report(
+            rules::bad_option, {},
+            {fmt::format("--component {}: it is written in RoboSim, and this command is built for RoboChart only",
+                         component)});
+        return;
     }
     const std::string meant = diagnostics::nearest_spelling(component, known);
     diagnostics::sort_unique(known);

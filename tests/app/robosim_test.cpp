@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/command/option_table.hpp"
 #include "command.hpp"
 #include "tests/contents.hpp"
 
@@ -147,6 +149,160 @@ TEST(RoboSimVerbs, TheReportOfALimitSaysThatNoWalksFollow) {
     EXPECT_THAT(ran.out, HasSubstr("no random walks follow"));
 }
 
+// ---------------------------------------------------------------- every verb and option
+
+const char* const scenario = R"(scenario Blink for Lamp {
+    step 0.2 s
+    unit 0.1 s
+    physics 0.1 s
+    duration 3 s
+    trials 1
+    seed 1
+    arena 100 cm by 100 cm
+    robots 2 { radius 5 cm axle 8 cm wheel 10 cm/s place random in arena }
+    stimulus pressed at 1 s
+    ignore lit
+}
+)";
+
+const char* const rules = R"(def_start
+    event pressed
+    event lit
+def_end
+rule_start
+    R1 when pressed then lit within 2 seconds
+rule_end
+)";
+
+/// What a verb does with a model that has only RoboSim: an exit code, and a text that it prints.
+struct Handling {
+    std::vector<std::string> arguments;  ///< "DIR" is the folder of the model, lamp.rst
+    int exit = 0;
+    const char* says = "";
+};
+
+/// By the full name of a verb. Verbs that read no model of a robot have no arguments here.
+const std::map<std::string, Handling>& handlings() {
+    static const std::map<std::string, Handling> table{
+        {"verify", {{"verify", "DIR", "-o", "DIR/out"}, 0, "conforms     lamps::Lamp"}},
+        {"init", {}},
+        {"validate", {{"validate", "DIR"}, 0, "valid"}},
+        {"check", {{"check", "DIR"}, 0, "timelock-free"}},
+        {"emit csp", {{"emit", "csp", "DIR", "-o", "DIR/out"}, 0, "csp-gen/timed/"}},
+        {"emit cpp", {{"emit", "cpp", "DIR", "-o", "DIR/out"}, 0, "Lamp_core.hpp"}},
+        {"emit prism", {{"emit", "prism", "DIR"}, 2, "RC-S26"}},
+        {"emit monitor", {{"emit", "monitor", "DIR", "-o", "DIR/out"}, 0, "Lamp_monitor.hpp"}},
+        {"emit rst", {{"emit", "rst", "DIR"}, 2, "RC-S26"}},
+        {"emit tests", {{"emit", "tests", "DIR", "-o", "DIR/out"}, 0, "Lamp.trace"}},
+        {"conform", {{"conform", "DIR"}, 0, "1 of 1 controllers conform"}},
+        {"cspm", {}},
+        {"prism", {}},
+        {"rules", {{"rules", "DIR/lamp.sleec", "DIR"}, 2, "RC-S26"}},
+        {"step", {{"step", "DIR"}, 0, "input pressed"}},
+        {"draw", {{"draw", "DIR", "-o", "DIR/drawn"}, 0, "Lamp.svg"}},
+        {"simulate", {{"simulate", "DIR/blink.scenario", "--no-pictures"}, 0, "controller Lamp"}},
+        {"tune", {{"tune", "DIR/blink.scenario"}, 2, "RC-S26"}},
+        {"format", {{"format", "DIR/lamp.rst"}, 0, ""}},
+        {"explain", {}},
+        {"lsp", {}},
+        {"help", {}},
+        {"version", {}},
+    };
+    return table;
+}
+
+std::vector<std::string> in_folder(std::vector<std::string> arguments, const Folder& folder) {
+    for (std::string& argument : arguments)
+        if (argument.starts_with("DIR")) argument.replace(0, 3, folder.path());
+    return arguments;
+}
+
+void expect_handled(const Handling& handling, const Folder& folder) {
+    const std::vector<std::string> arguments = in_folder(handling.arguments, folder);
+    const Ran ran = run(arguments);
+    std::string line;
+    for (const std::string& argument : arguments) line += argument + " ";
+    EXPECT_EQ(ran.exit, handling.exit) << line << "\n" << ran.out << ran.err;
+    EXPECT_THAT(ran.out + ran.err, HasSubstr(handling.says)) << line;
+}
+
+TEST(RoboSimVerbs, EachVerbHandlesRoboSimOrRefusesIt) {
+    std::size_t verbs = 0;
+    for (const VerbRow& row : verb_table()) {
+        const auto handling = handlings().find(full_name(row));
+        ASSERT_NE(handling, handlings().end()) << full_name(row) << " is not in the table of this test";
+        ++verbs;
+        if (handling->second.arguments.empty()) continue;
+        const Folder folder({{"lamp.rst", lamp("2")}, {"blink.scenario", scenario}, {"lamp.sleec", rules}});
+        expect_handled(handling->second, folder);
+    }
+    EXPECT_EQ(verbs, handlings().size());
+}
+
+/// Options that are about RoboChart only, or about the untimed semantics, are refused with the reason.
+TEST(RoboSimVerbs, NoOptionIsIgnored) {
+    const std::vector<Handling> options{
+        {{"check", "DIR", "--core"}, 0, "timelock-free"},
+        {{"check", "DIR", "--untimed"}, 2, "RoboSim has no untimed semantics"},
+        {{"check", "DIR", "--print", "script"}, 2, "`--print timed-script` prints it"},
+        {{"emit", "csp", "DIR", "--untimed", "-o", "DIR/out"}, 2, "its semantics is timed"},
+        {{"emit", "cpp", "DIR", "--strategy", "table", "-o", "DIR/out"}, 4, "--strategy is about code"},
+        {{"emit", "cpp", "DIR", "--strategy", "switch", "-o", "DIR/out"}, 4, "--strategy is about code"},
+        {{"emit", "cpp", "DIR", "--strategy", "auto", "-o", "DIR/out"}, 0, "Lamp_core.hpp"},
+        {{"emit", "prism", "DIR", "--component", "Lamp"}, 2, "RC-S26"},
+        {{"rules", "DIR/lamp.sleec", "DIR", "--component", "Lamp"}, 4, "it is written in RoboSim"},
+        {{"step", "DIR", "--untimed"}, 4, "no untimed semantics"},
+        {{"conform", "DIR", "--model", "tick-tock"}, 0, "1 of 1 controllers conform"},
+        {{"conform", "DIR", "--all-choices"}, 0, "1 of 1 controllers conform"},
+        {{"emit", "cpp", "DIR", "--choices", "-o", "DIR/out"}, 0, "console_choices.hpp"},
+    };
+    for (const Handling& option : options) {
+        const Folder folder({{"lamp.rst", lamp("2")}, {"lamp.sleec", rules}});
+        expect_handled(option, folder);
+    }
+}
+
+/// A machine that waits for the button cannot end its cycle without it.
+TEST(RoboSimVerbs, CorePropertiesOfRoboSimFindStoppedTime) {
+    std::string waiting = lamp("1");
+    waiting.erase(waiting.find("    transition t2"),
+                  waiting.find("    transition t3") - waiting.find("    transition t2"));
+    const Folder folder({{"lamp.rst", waiting}});
+    const Ran ran = run({"check", folder.path()});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out,
+                AllOf(HasSubstr("FAILS        timelock-free"), HasSubstr("cycle 1   in {}  out <lit(false)>")));
+    std::string no_length = lamp("1");
+    no_length.erase(no_length.find("    cycleDef cycle == 1"), std::string("    cycleDef cycle == 1").size());
+    const Folder open({{"lamp.rst", no_length}});
+    const Ran without_length = run({"check", open.path(), "--core"});
+    EXPECT_THAT(without_length.out, HasSubstr("has no cycleDef")) << without_length.err;
+}
+
+/// The block has a process of the machine, with the events of the machine, and renames them to those of the controller.
+/// No note is about the events that are renamed.
+TEST(RoboSimVerbs, NotesNameNoEventsThatABlockReplaces) {
+    const std::string controller =
+        "controller C {\n    cycleDef cycle == 1\n    uses Button\n    requires Light\n    sref s = Lamp\n"
+        "    connection C on pressed to s on pressed\n}\n";
+    const std::string block = R"(import lamps::*
+csp Spec csp-begin
+Off = lamps::Lamp::registerRead.lamps::Lamp::i_pressed?b -> lamps::Lamp::registerWrite.lamps::Lamp::o_lit.false ->
+      lamps::Lamp::endexec -> tock -> (if b then On else Off)
+On = lamps::Lamp::registerRead.lamps::Lamp::i_pressed?b -> lamps::Lamp::registerWrite.lamps::Lamp::o_lit.true ->
+     lamps::Lamp::endexec -> tock -> Off
+Spec = Off[[lamps::Lamp::registerRead.lamps::Lamp::i_pressed.b <- lamps::C::registerRead.lamps::C::i_pressed.b | b <- Bool]]
+          [[lamps::Lamp::registerWrite.lamps::Lamp::o_lit.b <- lamps::C::registerWrite.lamps::C::o_lit.b | b <- Bool]]
+          [[lamps::Lamp::endexec <- lamps::C::endexec]]
+csp-end
+assertion A : C equals Spec
+)";
+    const Folder folder({{"lamp.rst", lamp("1") + controller}, {"lamp.rsa", block}});
+    const Ran ran = run({"check", folder.path()});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, Not(HasSubstr("never asked")));
+}
+
 // ---------------------------------------------------------------- cycles
 
 /// The model begins in Off, and enters Off again after every cycle without the button.
@@ -222,19 +378,80 @@ TEST(RoboSimVerbs, MonitorsAndTestSuitesAreWritten) {
     EXPECT_EQ(accepted.exit, 0) << accepted.out << accepted.err;
 }
 
-const char* const scenario = R"(scenario Blink for Lamp {
-    step 0.2 s
-    unit 0.1 s
-    physics 0.1 s
-    duration 3 s
-    trials 1
-    seed 1
-    arena 100 cm by 100 cm
-    robots 2 { radius 5 cm axle 8 cm wheel 10 cm/s place random in arena }
-    stimulus pressed at 1 s
-    ignore lit
+/// Its output in a cycle is the value of a variable.
+const char* const dimmer = R"(package dims
+interface Level { var level : int }
+interface Light { lit(bright : int) }
+stm Dimmer {
+    cycleDef cycle == 1
+    input context { requires Level }
+    output context { requires Light }
+    initial i
+    state S { entry $lit($level) }
+    transition t0 { from i to S }
+    transition t1 { from S to S exec }
 }
 )";
+
+/// A variable keeps its last value, and begins with the default of its type, for every command that reads logs.
+TEST(RoboSimVerbs, VariablesKeepTheirValues) {
+    const Folder folder({{"dimmer.rst", std::string(dimmer)}});
+    const Ran stepped = run({"step", folder.path()}, "cycle\ncycle level=2\ncycle\n");
+    EXPECT_EQ(stepped.exit, 0) << stepped.err;
+    EXPECT_THAT(stepped.out, AllOf(HasSubstr("cycle 1   in {level = 0}  out <lit(0)>"),
+                                   HasSubstr("cycle 2   in {level = 2}  out <lit(2)>"),
+                                   HasSubstr("cycle 3   in {level = 2}  out <lit(2)>")));
+    const std::string head = "robochart-trace 1\ncomponent dims::Dimmer\ncycle 1\nrun a\n";
+    std::ofstream(folder / "good.trace") << head << "lit!0 tock\nlevel?2 lit!2 tock\nlit!2 tock\n";
+    std::ofstream(folder / "wrong.trace") << head << "lit!0 tock\nlevel?2 lit!2 tock\nlit!0 tock\n";
+    const Ran loaded = run({"step", folder.path()}, "load " + (folder / "good.trace") + "\n");
+    EXPECT_EQ(loaded.exit, 0) << loaded.err;
+    EXPECT_THAT(loaded.out, HasSubstr("t=3"));
+    const Ran other = run({"step", folder.path()}, "load " + (folder / "wrong.trace") + "\n");
+    EXPECT_EQ(other.exit, 1);
+    EXPECT_THAT(other.err, HasSubstr("cycle 3 cannot be followed"));
+    const Ran accepted = run({"conform", folder.path(), "--traces", folder / "good.trace"});
+    EXPECT_EQ(accepted.exit, 0) << accepted.out << accepted.err;
+    EXPECT_EQ(run({"conform", folder.path(), "--traces", folder / "wrong.trace"}).exit, 1);
+    const Ran monitor = run({"emit", "monitor", folder.path(), "-o", folder / "out"});
+    EXPECT_EQ(monitor.exit, 0) << monitor.out << monitor.err;
+    const Ran suite = run({"emit", "tests", folder.path(), "-o", folder / "out"});
+    EXPECT_EQ(suite.exit, 0) << suite.out << suite.err;
+    const Ran own = run({"conform", folder.path(), "--traces", folder / "out/tests/Dimmer/Dimmer.trace"});
+    EXPECT_EQ(own.exit, 0) << own.out << own.err;
+}
+
+/// A variable that the machine writes itself has the value that was written.
+TEST(RoboSimVerbs, WritesOfTheMachineAreKept) {
+    const Folder folder(
+        {{"count.rst",
+          std::string("package p\ninterface N { var n : nat }\nstm S {\n    cycleDef cycle == 1\n"
+                      "    input context { requires N }\n    output context { requires N }\n    initial i\n"
+                      "    state A { entry $n = $n + 1 }\n    transition t0 { from i to A }\n"
+                      "    transition t1 { from A to A exec }\n}\n")}});
+    std::ofstream(folder / "count.trace") << "robochart-trace 1\ncomponent p::S\ncycle 1\nrun a\n"
+                                             "n!1 tock\nn!2 tock\nn?0 n!1 tock\nn!2 tock\n";
+    const Ran loaded = run({"step", folder.path()}, "load " + (folder / "count.trace") + "\n");
+    EXPECT_EQ(loaded.exit, 0) << loaded.err;
+    EXPECT_EQ(run({"conform", folder.path(), "--traces", folder / "count.trace"}).exit, 0);
+    EXPECT_THAT(run({"step", folder.path()}, "cycle\ncycle\n").out, HasSubstr("cycle 2   in {n = 1}  out <n = 2>"));
+}
+
+/// An input that no connection fills is read without the environment. `cycle` gives its content, too.
+TEST(RoboSimVerbs, StepFillsUnconnectedInputs) {
+    const Folder folder(
+        {{"open.rst", std::string("package p\nstm A {\n    cycleDef cycle == 1\n    input context { event e }\n"
+                                  "    output context { event yes }\n    initial i\n    state S { }\n"
+                                  "    transition t0 { from i to S }\n"
+                                  "    transition t1 { from S to S condition $e action $yes ; exec }\n"
+                                  "    transition t2 { from S to S condition not $e action exec }\n}\n"
+                                  "controller C {\n    cycleDef cycle == 1\n    event yes\n    sref a = A\n"
+                                  "    connection a on yes to C on yes\n}\n")}});
+    const Ran ran = run({"step", folder.path(), "C"}, "cycle\ncycle e\ncycle\n");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("cycle 1   in {}  out <>"), HasSubstr("cycle 2   in {}  out <yes>"),
+                               HasSubstr("cycle 3   in {}  out <>")));
+}
 
 /// The model accepts the logs of its own robots, but rejects those of robots whose lamp is on when it should be off.
 TEST(RoboSimVerbs, RobotsOfAScenarioRunInCycles) {
