@@ -8,6 +8,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache mold
   libfmt-dev libcli11-dev nlohmann-json3-dev libeigen3-dev libboost-graph-dev libsodium-dev libexpat1-dev
+  libzstd-dev liblz4-dev  # compressed chunks of MCAP files; everything else is built without them
   libz3-dev  # classes of data for conditions that are not linear; everything else is built without it
   openmpi-bin libopenmpi-dev  # robochart-verify-mpi; everything else is built without them
 )

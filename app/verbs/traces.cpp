@@ -87,10 +87,17 @@ public:
         : parts_(parts), options_(options), limits_(limits(options, "traces")) {}
 
     /// A component and the checker that compares logs with it.
+    struct Entry {
+        ir::Instantiation instantiation;
+        std::unique_ptr<conformance::CyclicModel> model;
+        std::unique_ptr<conformance::TraceChecker> checker;
+        std::string error;
+    };
     struct Found {
         driver::Project* project = nullptr;
-        std::string component;  ///< qualified
-        conformance::TraceChecker* checker = nullptr;
+        ir::ComponentRef component;
+        std::uint32_t cycle = 1;
+        const Entry* entry = nullptr;
     };
 
     [[nodiscard]] diagnostics::Budget& budget() const { return options_.run->budget(); }
@@ -122,21 +129,41 @@ public:
                                                driver::component_name(part->project->system, all[1].second))});
         const std::uint32_t cycle = options_.code.cycle_given ? options_.code.cycle : header.cycle;
         Entry& entry = entries_[{part, ir::qualified_name(component), cycle}];
-        if (entry.checker == nullptr && entry.error.empty()) load_entry(entry, *part->project, component, cycle);
+        if (entry.checker == nullptr && entry.error.empty()) {
+            driver::Project& project = *part->project;
+            entry.instantiation = conformance::with_more_numbers(project.system, project.instantiation, component);
+            load_model(entry, project, component, cycle);
+            if (entry.model != nullptr)
+                entry.checker = std::make_unique<conformance::TraceChecker>(*entry.model, names_of(component), limits_,
+                                                                            project.sources, project.unit);
+        }
         if (!entry.error.empty())
             return report_refusal(parts_.front(), rules::no_monitor, {ir::qualified_name(component), entry.error},
                                   driver::declared_at(part->project->system, component));
-        return Found{part->project.get(), ir::qualified_name(component), entry.checker.get()};
+        return Found{part->project.get(), component, cycle, &entry};
+    }
+
+    /// A checker for one log whose numbers the component compares with each other. Returns null and sets `cause` if
+    /// there is none.
+    std::unique_ptr<Entry> exact_checker(const Found& found, const conformance::LoggedNumbers& numbers,
+                                         std::string& cause) {
+        const driver::Project& project = *found.project;
+        const conformance::CyclicModel& model = *found.entry->model;
+        auto exact =
+            conformance::with_logged_numbers(project.system, model.instantiation(), model.boundary(), numbers, cause);
+        if (!exact) return nullptr;
+        auto entry = std::make_unique<Entry>();
+        entry->instantiation = exact->instantiation;
+        load_model(*entry, *found.project, found.component, found.cycle);
+        cause = entry->error;
+        if (entry->model == nullptr) return nullptr;
+        entry->checker = std::make_unique<conformance::TraceChecker>(*entry->model, names_of(found.component), limits_,
+                                                                     project.sources, project.unit, *exact);
+        return entry;
     }
 
 private:
     using Candidate = std::pair<const driver::Part*, ir::ComponentRef>;
-    struct Entry {
-        ir::Instantiation instantiation;
-        std::unique_ptr<conformance::CyclicModel> model;
-        std::unique_ptr<conformance::TraceChecker> checker;
-        std::string error;
-    };
 
     /// The model with the constants of the log. `--const` has priority over the log, as do `--component` and `--cycle`.
     /// If the model cannot be read with these constants, reports a finding and returns null.
@@ -182,19 +209,19 @@ private:
         part.project->diagnostics.report(rule, place, std::move(arguments));
         return std::nullopt;
     }
-    void load_entry(Entry& entry, driver::Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
+    /// Loads the component with the instantiation of the entry.
+    void load_model(Entry& entry, driver::Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
         const cpp_emit::EventOrder order = event_order(project, component);
         if (!project.diagnostics.ok()) {
             entry.error = "its order of events is wrong";
             return;
         }
-        entry.instantiation = conformance::with_more_numbers(project.system, project.instantiation, component);
         entry.model = conformance::CyclicModel::load(project.system, entry.instantiation, component, cycle, limits_,
                                                      project.sources, project.diagnostics, entry.error, order);
-        if (entry.model == nullptr) return;
-        entry.checker = std::make_unique<conformance::TraceChecker>(
-            *entry.model, std::vector<std::string>{ir::qualified_name(component), component.path}, limits_,
-            project.sources, project.unit);
+    }
+    /// The names that logs may use for the component.
+    static std::vector<std::string> names_of(const ir::ComponentRef& component) {
+        return {ir::qualified_name(component), component.path};
     }
 
     const std::vector<driver::Part>& parts_;
@@ -234,6 +261,37 @@ void report_fault(driver::Project& project, const std::string& path, const confo
     project.diagnostics.report(*found.fault.rule, {source, begin, std::max(begin, end)}, found.fault.arguments);
 }
 
+/// A log that has been compared, and its first runs that are not accepted.
+struct CheckedLog {
+    conformance::LogReport report;
+    std::vector<conformance::RunReport> runs;
+};
+
+/// Compares the log from its beginning. A log is read several times, which is possible only for regular files.
+CheckedLog check_with(conformance::TraceChecker& checker, std::istream& in, const conformance::TraceHeader& header) {
+    in.clear();
+    in.seekg(0);
+    CheckedLog result;
+    result.report = checker.check_log(in, header.constants, [&](const conformance::RunReport& run) {
+        if (result.runs.size() < max_reported) result.runs.push_back(run);
+    });
+    return result;
+}
+
+/// Compares the runs of a log. If the component compares numbers of the log with each other, these numbers are added to
+/// the model.
+CheckedLog check_runs(std::istream& in, const conformance::TraceHeader& header, const Checkers::Found& found,
+                      Checkers& checkers) {
+    CheckedLog first = check_with(*found.entry->checker, in, header);
+    if (!first.report.related_numbers || first.report.fault) return first;
+    std::string cause;
+    const auto exact = checkers.exact_checker(found, first.report.numbers, cause);
+    if (exact != nullptr) return check_with(*exact->checker, in, header);
+    for (conformance::RunReport& run : first.runs)
+        if (run.related_numbers) run.reason += fmt::format("; {}", cause);
+    return first;
+}
+
 void check_log(const std::string& path, driver::Project& project, Checkers& checkers, Totals& totals) {
     std::unique_ptr<std::istream> in;
     try {
@@ -250,18 +308,15 @@ void check_log(const std::string& path, driver::Project& project, Checkers& chec
         return;
     }
     const conformance::TraceHeader header = peek_header(*in, checkers.budget());
-    // A log is read twice, which is possible only for regular files.
-    in->clear();
-    in->seekg(0);
     const auto found = checkers.find_checker(header);
     if (!found) return;
     ++totals.logs;
-    ComparedLog compared{path, found->project, found->component, {}, std::nullopt};
-    const auto report = found->checker->check_log(*in, header.constants, [&](const conformance::RunReport& run) {
+    const CheckedLog checked = check_runs(*in, header, *found, checkers);
+    const conformance::LogReport& report = checked.report;
+    ComparedLog compared{path, found->project, ir::qualified_name(found->component), report, std::nullopt};
+    if (!checked.runs.empty()) compared.wrong = checked.runs.front();
+    for (const conformance::RunReport& run : checked.runs)
         if (totals.reported.size() < max_reported) totals.reported.push_back({path, run});
-        if (!compared.wrong) compared.wrong = run;
-    });
-    compared.counts = report;
     totals.runs += report.runs;
     totals.accepted += report.accepted;
     totals.rejected += report.rejected;

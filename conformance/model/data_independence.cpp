@@ -5,6 +5,8 @@
 #include "conformance/model/data_independence.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "semantics/ir/visit.hpp"
 
@@ -60,6 +62,57 @@ std::optional<ComparedOperands> compared_operands(const ir::System& system, cons
     if (is_constant(left) && is_held(right)) return ComparedOperands{&right, &left};
     return std::nullopt;
 }
+
+/// Reads comparisons of sums.
+class SumReader {
+public:
+    explicit SumReader(const ir::System& system) : system_(system) {}
+
+    std::optional<SumComparison> read_comparison(const ir::Expr& expr) {
+        if (!append_sum(*expr.args[0], result_.left) || !append_sum(*expr.args[1], result_.right)) return std::nullopt;
+        result_.relation = expr.kind;
+        for (const std::vector<Summand>* side : {&result_.left, &result_.right})
+            for (const Summand& summand : *side)
+                if (summand.held) held_kinds_.insert(kind_of(*summand.expr));
+        if (held_kinds_.size() != 1) return std::nullopt;
+        result_.kind = *held_kinds_.begin();
+        const auto fits = [&](ir::TypeKind kind) { return kind == result_.kind; };
+        const bool natural = result_.kind == ir::TypeKind::nat;
+        if (!std::ranges::all_of(sum_kinds_, fits) || (subtracts_ && natural)) return std::nullopt;
+        if (real_constant_ && result_.kind != ir::TypeKind::real) return std::nullopt;
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] ir::TypeKind kind_of(const ir::Expr& expr) const { return system_.type(expr.type).kind; }
+
+    /// Appends the summands of a sum such as `a + b - c`. Returns false for other expressions. Recursion depth: the
+    /// depth of the expression.
+    bool append_sum(const ir::Expr& expr, std::vector<Summand>& sum) {
+        const ir::Expr& plain = without_conversions(system_, expr);
+        if (!is_number(system_, plain)) return false;
+        const bool subtracts = plain.kind == ir::ExprKind::minus;
+        if (plain.kind != ir::ExprKind::plus && !subtracts) return append_summand(plain, false, sum);
+        sum_kinds_.insert(kind_of(plain));
+        subtracts_ = subtracts_ || subtracts;
+        return append_sum(*plain.args[0], sum) &&
+               append_summand(without_conversions(system_, *plain.args[1]), subtracts, sum);
+    }
+
+    bool append_summand(const ir::Expr& plain, bool subtracted, std::vector<Summand>& sum) {
+        const bool held = is_held(plain);
+        if (!is_number(system_, plain) || (!held && !is_constant(plain))) return false;
+        real_constant_ = real_constant_ || (!held && kind_of(plain) == ir::TypeKind::real);
+        sum.push_back({&plain, held, subtracted});
+        return true;
+    }
+
+    const ir::System& system_;
+    SumComparison result_;
+    std::set<ir::TypeKind> held_kinds_, sum_kinds_;
+    bool subtracts_ = false;
+    bool real_constant_ = false;
+};
 
 class Look {
 public:
@@ -185,16 +238,24 @@ private:
         }
     }
 
-    void mark_compared(const ir::Expr& operand) {
-        raise_use(system_.type(operand.type).kind, NumberUse::compared);
+    void mark_compared(const ir::Expr& operand, NumberUse use) {
+        raise_use(system_.type(operand.type).kind, use);
         for (const ir::Expr* at = &operand; at->kind == ir::ExprKind::member; at = at->args[0].get())
             mark_selected(at->args[0]->type);
+    }
+
+    void mark_related(const SumComparison& comparison) {
+        for (const std::vector<Summand>* side : {&comparison.left, &comparison.right})
+            for (const Summand& summand : *side)
+                if (summand.held) mark_compared(*summand.expr, NumberUse::related);
     }
 
     /// Marks a value that affects the behaviour.
     void mark_used(const ir::ExprPtr& expr) {
         if (!expr || is_constant(*expr)) return;
-        if (const auto operands = compared_operands(system_, *expr)) return mark_compared(*operands->held);
+        if (const auto operands = compared_operands(system_, *expr))
+            return mark_compared(*operands->held, NumberUse::compared);
+        if (const auto comparison = sum_comparison(system_, *expr)) return mark_related(*comparison);
         const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
         if (!clock) mark_tested(expr->type);
         for (const ir::TypeId type : expr->bound_types) mark_enumerated(type);
@@ -347,6 +408,11 @@ std::optional<ConstantComparison> constant_comparison(const ir::System& system, 
     if (!operands) return std::nullopt;
     return ConstantComparison{system.type(operands->held->type).kind, operands->constant,
                               expr.kind != ir::ExprKind::equal && expr.kind != ir::ExprKind::not_equal};
+}
+
+std::optional<SumComparison> sum_comparison(const ir::System& system, const ir::Expr& expr) {
+    if (!ir::is_comparison(expr.kind) || expr.args.size() != 2 || compared_operands(system, expr)) return std::nullopt;
+    return SumReader(system).read_comparison(expr);
 }
 
 NumberUse DataIndependence::use_of(ir::TypeKind kind) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the values that a component only passes on, and the numbers that it only compares with constants.
+// Finds the values that a component only passes on, and the numbers that it only compares.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,8 @@ enum class NumberUse {
     passed_on,  ///< it stores them, sends them and passes them to operations ("data independent": Lazić 1999; Roscoe
                 ///< UCS 17.2)
     compared,   ///< it also compares them with literals and constants of the model, alone or as fields of records
-    computed,   ///< anything else: operators, comparisons of two variables, indexes, waits
+    related,    ///< it also compares such numbers, and sums and differences of them, with each other
+    computed,   ///< anything else: other operators, stored sums, indexes, waits
 };
 
 /// Values that the component only passes on or compares.
@@ -42,6 +43,22 @@ struct ConstantComparison {
 };
 /// Returns the expression as such a comparison, or no value if it is another expression.
 [[nodiscard]] std::optional<ConstantComparison> constant_comparison(const ir::System&, const ir::Expr&);
+
+/// A number that a sum adds or subtracts: a variable or a field of a variable holds it, or it is a literal or constant.
+struct Summand {
+    const ir::Expr* expr = nullptr;
+    bool held = false;
+    bool subtracted = false;
+};
+/// A comparison of two sums of numbers of one kind, added from left to right, such as `x < y` or `x - y > 0.5`.
+struct SumComparison {
+    ir::TypeKind kind = ir::TypeKind::unit;  ///< of the held numbers
+    ir::ExprKind relation = ir::ExprKind::equal;
+    std::vector<Summand> left, right;
+};
+/// Reads the expression as such a comparison; no value if it is another expression, or a ConstantComparison. Naturals
+/// are not subtracted, because the result may not be a natural.
+[[nodiscard]] std::optional<SumComparison> sum_comparison(const ir::System&, const ir::Expr&);
 
 /// Analyses these machines and operations together.
 [[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&);

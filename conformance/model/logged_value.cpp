@@ -41,9 +41,9 @@ std::uint64_t hash_text(std::string_view text, std::uint64_t salt) {
 /// Parses one value from left to right. Recursion depth: the depth of its type.
 class ValueParser : diagnostics::Scanner {
 public:
-    ValueParser(const ir::System& system, const ir::Instantiation& instantiation, const DataIndependence& uses,
+    ValueParser(const ir::System& system, const ir::Instantiation& instantiation, const TestedNumbers& numbers,
                 NumberReading reading, std::string_view text)
-        : Scanner(text), system_(system), instantiation_(instantiation), uses_(uses), reading_(reading) {}
+        : Scanner(text), system_(system), instantiation_(instantiation), numbers_(numbers), reading_(reading) {}
 
     LoggedPart parse_whole(ir::TypeId type) {
         LoggedPart result = parse_value(type);
@@ -109,6 +109,7 @@ private:
         const double scaled = real ? value * static_cast<double>(instantiation_.scale) : value;
         if (!real && scaled != std::floor(scaled)) throw make_fault("a whole number", word);
         at_ += length;
+        if (const auto known = known_code(kind, value)) return {*known, "", 0, kind, {}};
         const double near = std::round(scaled);
         if (std::abs(near) < 9e15 && is_near(kind, value, scaled, near) &&
             is_in_carrier(kind, static_cast<std::int64_t>(near)))
@@ -116,14 +117,35 @@ private:
         return {0, fmt::format("{}", value), value, kind, {}};
     }
 
+    /// The number of the carrier for a logged number of NumberCodes, or for one that is a literal but for a rounding
+    /// error.
+    [[nodiscard]] std::optional<std::int64_t> known_code(TypeKind kind, double value) const {
+        if (numbers_.codes.empty()) return std::nullopt;
+        if (reading_ == NumberReading::exact) {
+            const auto found = numbers_.codes.find({kind, value});
+            return found == numbers_.codes.end() ? std::nullopt : std::optional(found->second);
+        }
+        if (kind != TypeKind::real) return std::nullopt;
+        const auto rounds_to = [&](double literal) {
+            return std::abs(value - literal) <= 1e-9 * std::max(1.0, std::abs(literal)) ||
+                   value == static_cast<double>(static_cast<float>(literal));
+        };
+        const auto literal = std::ranges::find_if(numbers_.literals, rounds_to);
+        if (literal == numbers_.literals.end()) return std::nullopt;
+        const std::int64_t code = std::llround(*literal * static_cast<double>(instantiation_.scale));
+        return is_in_carrier(kind, code) ? std::optional(code) : std::nullopt;
+    }
+
     /// Returns whether the logged number is taken as `near`, in units of 1/scale.
     [[nodiscard]] bool is_near(TypeKind kind, double value, double scaled, double near) const {
         if (kind != TypeKind::real) return scaled == near;
         const double decimal = near / static_cast<double>(instantiation_.scale);
-        if (reading_ == NumberReading::exact && uses_.use_of(kind) == NumberUse::compared) return value == decimal;
-        // The error of a decimal of the model in binary floating point is smaller.
+        const NumberUse use = numbers_.uses.use_of(kind);
+        const bool tested = use == NumberUse::compared || use == NumberUse::related;
+        if (reading_ == NumberReading::exact && tested) return value == decimal;
+        // the error of a decimal of the model in binary floating point is smaller
         if (std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled))) return true;
-        return uses_.use_of(kind) != NumberUse::computed && value == static_cast<double>(static_cast<float>(decimal));
+        return use != NumberUse::computed && value == static_cast<double>(static_cast<float>(decimal));
     }
 
     [[nodiscard]] bool is_in_carrier(TypeKind kind, std::int64_t value) const {
@@ -277,7 +299,7 @@ private:
 
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
-    const DataIndependence& uses_;
+    const TestedNumbers& numbers_;
     NumberReading reading_;
 };
 
@@ -312,7 +334,7 @@ ValueReader::Answers ValueReader::answers_for(TypeKind kind, double value) const
 const std::vector<std::int64_t>& ValueReader::candidates(const LoggedPart& part) const {
     static const std::vector<std::int64_t> none;
     const auto* const all = carrier_numbers(*instantiation_, part.kind);
-    if (all == nullptr || numbers_.uses.use_of(part.kind) == NumberUse::computed) return none;
+    if (all == nullptr || numbers_.uses.use_of(part.kind) >= NumberUse::related) return none;
     const Answers answers = answers_for(part.kind, part.value);
     const auto [known, fresh] = candidates_.try_emplace({part.kind, answers});
     std::vector<std::int64_t>& chosen = known->second;
@@ -367,7 +389,7 @@ bool ValueReader::is_replaceable(const LoggedPart& part) const {
 
 LoggedValue ValueReader::read_value(std::string_view text) const {
     LoggedValue result;
-    result.whole = ValueParser(*system_, *instantiation_, numbers_.uses, reading_, text).parse_whole(type_);
+    result.whole = ValueParser(*system_, *instantiation_, numbers_, reading_, text).parse_whole(type_);
     const bool inside = all_inside(result.whole);
     if (inside) result.number = carrier_index(result.whole, 0);
     if (result.number) return result;

@@ -57,11 +57,28 @@ struct ComparedConstants {
     std::vector<double> all;
 };
 
+/// A summand of ComparedSums.
+struct TestedSummand {
+    std::optional<double> constant;  ///< no value for a number that a variable holds
+    bool subtracted = false;
+};
+/// A comparison of sums of numbers that the component makes (SumComparison).
+struct ComparedSums {
+    ir::TypeKind kind = ir::TypeKind::unit;
+    ir::ExprKind relation = ir::ExprKind::equal;
+    std::vector<TestedSummand> left, right;
+};
+
+/// The numbers of the carriers that logged numbers have, by kind and logged number.
+using NumberCodes = std::map<std::pair<ir::TypeKind, double>, std::int64_t>;
+
 /// How the component uses numbers.
 struct TestedNumbers {
     DataIndependence uses;
     std::map<ir::TypeKind, ComparedConstants> constants;
     std::vector<double> literals;  ///< the literals and constants of the component, ascending
+    std::vector<ComparedSums> sums;
+    NumberCodes codes;  ///< of a log whose numbers are in the carriers (conformance/traces/logged_numbers.hpp)
 };
 
 /// Reads the values of one type of a model.

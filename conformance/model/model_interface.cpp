@@ -62,12 +62,25 @@ private:
 
     void collect_constant(const cpp_emit::Unit& unit, const ir::Expr& expr, TestedNumbers& found) const {
         if (const auto number = number_of(unit, expr)) found.literals.push_back(*number);
+        if (const auto sums = sum_comparison(system_, expr))
+            found.sums.push_back({sums->kind, sums->relation, read_sum(unit, sums->left), read_sum(unit, sums->right)});
         const auto comparison = constant_comparison(system_, expr);
         if (!comparison) return;
         const auto number = number_of(unit, *comparison->constant);
         assert(number);  // an unknown constant would make replacements wrong
         found.constants[comparison->kind].all.push_back(*number);
         if (comparison->ordered) found.constants[comparison->kind].ordered.push_back(*number);
+    }
+
+    [[nodiscard]] std::vector<TestedSummand> read_sum(const cpp_emit::Unit& unit,
+                                                      const std::vector<Summand>& sum) const {
+        std::vector<TestedSummand> result;
+        for (const Summand& summand : sum) {
+            const auto constant = summand.held ? std::nullopt : number_of(unit, *summand.expr);
+            assert(summand.held || constant);
+            result.push_back({constant, summand.subtracted});
+        }
+        return result;
     }
 
     const ir::System& system_;

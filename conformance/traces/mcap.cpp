@@ -10,6 +10,8 @@
 #include <map>
 #include <sstream>
 
+#include "conformance/traces/decompress.hpp"
+
 namespace robochart::conformance {
 
 namespace {
@@ -177,20 +179,34 @@ private:
         const std::uint64_t size = content.number(8, "a chunk");
         const std::uint64_t crc = content.number(4, "a chunk");
         const std::string_view compression = content.text("the compression of a chunk");
-        if (!compression.empty())
-            throw McapFault(fmt::format("a chunk is compressed ({}): convert the file, for example with `mcap "
-                                        "decompress`",
-                                        compression.substr(0, 40)),
-                            begin);
         const std::uint64_t length = content.number(8, "a chunk");
         const std::uint64_t at = content.offset();
         const std::string_view bytes = content.take(length, "the records of a chunk");
+        if (!compression.empty()) return read_compressed(compression, bytes, size, crc, begin);
         if (length != size)
             throw McapFault(fmt::format("a chunk without compression has {} bytes, but should have {}", length, size),
                             begin);
         if (crc != 0 && crc != mcap_crc(bytes)) throw McapFault("the checksum of a chunk is wrong", begin);
         McapPiece records(bytes, at);
         while (!records.is_empty()) read_record(records, true);
+    }
+
+    /// An error in the records has the place of the chunk, and its own place in the message.
+    void read_compressed(std::string_view compression, std::string_view bytes, std::uint64_t size, std::uint64_t crc,
+                         std::uint64_t begin) {
+        std::string plain;
+        try {
+            plain = decompress(compression, bytes, size, limits_);
+        } catch (const DecompressionFault& fault) {
+            throw McapFault(fault.what(), begin);
+        }
+        if (crc != 0 && crc != mcap_crc(plain)) throw McapFault("the checksum of a chunk is wrong", begin);
+        McapPiece records(plain, 0);
+        try {
+            while (!records.is_empty()) read_record(records, true);
+        } catch (const McapFault& fault) {
+            throw McapFault(fmt::format("byte {} of a decompressed chunk: {}", fault.at, fault.what()), begin);
+        }
     }
 
     void read_end(McapPiece content, std::uint64_t begin) {

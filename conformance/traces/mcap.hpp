@@ -14,7 +14,7 @@
 
 namespace robochart::conformance {
 
-/// Thrown if an MCAP file cannot be read: its structure is wrong, it is compressed, or it contains no log.
+/// Thrown if an MCAP file cannot be read: its structure is wrong, a chunk cannot be decompressed, or it has no log.
 struct McapFault : std::runtime_error {
     McapFault(const std::string& message, std::uint64_t offset) : std::runtime_error(message), at(offset) {}
     std::uint64_t at;  ///< the position of the error, in bytes from the beginning of the file

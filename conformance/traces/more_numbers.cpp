@@ -22,23 +22,24 @@ constexpr std::int64_t further = 7;
 /// The limit for numbers. With it, numbers stay exact in double, and their products by small factors stay in 64 bits.
 constexpr double greatest = 1e14;
 
-/// Returns the same value in finer units. Recursion depth: the depth of the type.
-ir::Value in_finer_units(const ir::System& system, ir::TypeId id, ir::Value value) {
+/// The same value in units that are finer by a factor. Recursion depth: the depth of the type.
+ir::Value value_in_finer_units(const ir::System& system, ir::TypeId id, ir::Value value, std::int64_t factor) {
     const ir::Type& type = system.type(id);
-    if (type.kind == ir::TypeKind::real) value.number *= fineness;
+    if (type.kind == ir::TypeKind::real) value.number *= factor;
     const bool pairs = type.kind == ir::TypeKind::function || type.kind == ir::TypeKind::relation;
     for (std::size_t i = 0; i < value.parts.size(); ++i) {
         ir::Value& part = value.parts[i];
         if (type.kind == ir::TypeKind::enumeration) {
             const auto& arguments = type.literal_args.at(static_cast<std::size_t>(value.number));
-            part = in_finer_units(system, arguments.at(i), std::move(part));
+            part = value_in_finer_units(system, arguments.at(i), std::move(part), factor);
         } else if (type.kind == ir::TypeKind::record || type.kind == ir::TypeKind::product) {
-            part = in_finer_units(system, type.args.at(i), std::move(part));
+            part = value_in_finer_units(system, type.args.at(i), std::move(part), factor);
         } else if (pairs || type.kind == ir::TypeKind::matrix) {
             for (std::size_t j = 0; j < part.parts.size(); ++j)
-                part.parts[j] = in_finer_units(system, type.args.at(pairs ? j : 0), std::move(part.parts[j]));
+                part.parts[j] =
+                    value_in_finer_units(system, type.args.at(pairs ? j : 0), std::move(part.parts[j]), factor);
         } else if (!type.args.empty()) {
-            part = in_finer_units(system, type.args[0], std::move(part));
+            part = value_in_finer_units(system, type.args[0], std::move(part), factor);
         }
     }
     return value;
@@ -56,31 +57,48 @@ std::vector<std::int64_t> numbers_among(const std::vector<std::int64_t>& ends, s
     return result;
 }
 
-}  // namespace
-
-ir::Instantiation with_more_numbers(const ir::System& system, const ir::Instantiation& instantiation,
-                                    const ir::ComponentRef& component) {
-    const auto numbers = tested_numbers(system, instantiation, component);
-    if (!numbers || numbers->uses.real != NumberUse::compared || instantiation.real.empty()) return instantiation;
-    const auto found = numbers->constants.find(ir::TypeKind::real);
-    if (found == numbers->constants.end()) return instantiation;
+/// The instantiation with more numbers (more_numbers.hpp), for these numbers of the component.
+ir::Instantiation between_constants(const ir::System& system, const ir::Instantiation& instantiation,
+                                    const TestedNumbers& numbers) {
+    if (numbers.uses.real != NumberUse::compared || instantiation.real.empty()) return instantiation;
+    const auto found = numbers.constants.find(ir::TypeKind::real);
+    if (found == numbers.constants.end()) return instantiation;
     const double units = static_cast<double>(instantiation.scale) * static_cast<double>(fineness);
     const auto fits = [&](double number) { return std::abs(number * units) < greatest; };
     const double last = static_cast<double>(std::max(std::abs(instantiation.real.front()), instantiation.real.back()));
     if (!std::ranges::all_of(found->second.all, fits) || !fits(last / static_cast<double>(instantiation.scale)))
         return instantiation;
-    ir::Instantiation result = instantiation;
-    result.scale *= fineness;
-    for (std::int64_t& number : result.real) number *= fineness;
+    ir::Instantiation result = in_finer_units(system, instantiation, fineness);
     std::vector<std::int64_t> ends;
     for (const double constant : found->second.all) ends.push_back(std::llround(constant * units));
     diagnostics::sort_unique(ends);
     for (const std::int64_t number : numbers_among(ends, result.scale)) result.real.push_back(number);
     diagnostics::sort_unique(result.real);
+    return result;
+}
+
+}  // namespace
+
+ir::Instantiation in_finer_units(const ir::System& system, const ir::Instantiation& instantiation,
+                                 std::int64_t factor) {
+    ir::Instantiation result = instantiation;
+    result.scale *= factor;
+    for (std::int64_t& number : result.real) number *= factor;
     for (const ir::NamedConstant& constant : ir::named_constants(system)) {
         const auto value = result.constants.find(constant.name);
-        if (value != result.constants.end()) value->second = in_finer_units(system, constant.type, value->second);
+        if (value != result.constants.end())
+            value->second = value_in_finer_units(system, constant.type, value->second, factor);
     }
+    return result;
+}
+
+ir::Instantiation with_more_numbers(const ir::System& system, const ir::Instantiation& instantiation,
+                                    const ir::ComponentRef& component) {
+    const auto numbers = tested_numbers(system, instantiation, component);
+    if (!numbers) return instantiation;
+    ir::Instantiation result = between_constants(system, instantiation, *numbers);
+    const auto adds = [](const ComparedSums& sums) { return sums.left.size() > 1 || sums.right.size() > 1; };
+    result.unbounded = std::ranges::any_of(numbers->sums, adds);
     return result;
 }
 

@@ -11,7 +11,11 @@ namespace robochart::conformance {
 
 /// Adds reals to the instantiation: numbers between, below and above the constants with which the component compares
 /// reals. The scale becomes finer, so that there are such numbers. Returns the unchanged instantiation if the component
-/// does not compare reals with constants, or if the numbers would be too large.
+/// does not compare reals with constants, or if the numbers would be too large. Sums are not clipped if the component
+/// compares sums.
 [[nodiscard]] ir::Instantiation with_more_numbers(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&);
+
+/// The same instantiation with a finer unit of reals: all reals are multiplied by the factor.
+[[nodiscard]] ir::Instantiation in_finer_units(const ir::System&, const ir::Instantiation&, std::int64_t factor);
 
 }  // namespace robochart::conformance

@@ -61,15 +61,17 @@ bool LoggedEvent::is_inside() const {
     return std::ranges::all_of(values, [](const LoggedValue& v) { return v.number.has_value(); });
 }
 
-TraceAlphabet::TraceAlphabet(const CyclicModel& model) : model_(&model) {
+TraceAlphabet::TraceAlphabet(const CyclicModel& model, const NumberCodes& codes) : model_(&model) {
     const Interface& interface = model.outside_interface();
     inputs_ = cpp_emit::trace_names(full_names(interface.inputs));
     outputs_ = cpp_emit::trace_names(full_names(interface.outputs));
     input_ids_ = number_names(full_names(interface.inputs), inputs_);
     output_ids_ = number_names(full_names(interface.outputs), outputs_);
     const ModelInterface& boundary = model.boundary();
+    TestedNumbers numbers = boundary.numbers;
+    numbers.codes = codes;
     const auto values = [&](ir::TypeId type, NumberReading reading) {
-        return ValueReader(model.system(), model.instantiation(), type, boundary.numbers, reading);
+        return ValueReader(model.system(), model.instantiation(), type, numbers, reading);
     };
     for (const std::optional<ir::TypeId>& type : boundary.input_types) {
         input_values_.emplace_back();

@@ -30,7 +30,8 @@ struct LoggedEvent {
 
 class TraceAlphabet {
 public:
-    explicit TraceAlphabet(const CyclicModel&);
+    /// `codes` contains the numbers of a log that the model's instantiation was extended by.
+    explicit TraceAlphabet(const CyclicModel&, const NumberCodes& codes = {});
 
     /// Returns the event for a word. Throws TraceFault. The reference is valid until the next call.
     [[nodiscard]] const LoggedEvent& read_event(const TraceToken&);

@@ -31,13 +31,18 @@ struct TraceChecker::Form {
 
 TraceChecker::TraceChecker(CyclicModel& model, std::vector<std::string> component, const refine::Limits& limits,
                            const diagnostics::SourceManager& sources, durations::Unit unit)
+    : TraceChecker(model, std::move(component), limits, sources, unit, ExactNumbers{}) {}
+
+TraceChecker::TraceChecker(CyclicModel& model, std::vector<std::string> component, const refine::Limits& limits,
+                           const diagnostics::SourceManager& sources, durations::Unit unit, const ExactNumbers& exact)
     : model_(&model),
       component_(std::move(component)),
       limits_(limits),
       unit_(unit),
       sources_(&sources),
       budget_(limits),
-      alphabet_(model) {}
+      alphabet_(model, exact.codes),
+      rounding_(exact.rounding) {}
 
 TraceChecker::~TraceChecker() = default;
 
@@ -225,6 +230,7 @@ private:
         if (token.text == "tock") return done_ ? Next::go_on : check_tock();
         if (token.text == "terminate") return done_ ? Next::go_on : check_termination();
         const LoggedEvent& event = checker_.alphabet_.read_event(token);
+        for (const LoggedValue& value : event.values) collect_numbers(value.whole);
         const bool read = event.kind == LoggedEvent::Kind::read;
         const bool observed = read ? observation_.inputs[event.index] : observation_.outputs[event.index];
         if (!observed)
@@ -241,6 +247,16 @@ private:
         const Next next = read ? take_read(event.index, *meant, token) : take_write(*meant, event.rounded, token);
         so_far_.emplace_back(token.text);
         return next;
+    }
+
+    /// Adds the numbers that the component compares with each other to the report.
+    void collect_numbers(const LoggedPart& part) {
+        for (const LoggedPart& inner : part.parts) collect_numbers(inner);
+        if (model_.boundary().numbers.uses.use_of(part.kind) != NumberUse::related) return;
+        std::set<double>& numbers = report_.numbers[part.kind];
+        if (numbers.size() > most_logged_numbers) return;
+        const double unit = part.kind == ir::TypeKind::real ? static_cast<double>(model_.interface().scale) : 1;
+        numbers.insert(part.outside.empty() ? static_cast<double>(part.number) / unit : part.value);
     }
 
     /// Returns the event of NF_c(M) for a logged event. If the component only passes on a value outside the finite
@@ -263,10 +279,25 @@ private:
         record_place();
         run_->verdict = RunVerdict::inconclusive;
         run_->what = token.text;
-        run_->reason = fmt::format(
-            "{} is outside the finite instantiation of the model, which calculates with such values or compares them "
-            "with each other",
-            value.text);
+        run_->related_numbers = has_related(value.whole) && are_related(value.whole);
+        report_.related_numbers = report_.related_numbers || run_->related_numbers;
+        run_->reason =
+            fmt::format("{} is outside the finite instantiation of the model, which {}", value.text,
+                        run_->related_numbers ? "compares such values with each other" : "calculates with such values");
+    }
+
+    /// Whether the component compares some number of the value that is outside the carriers with other numbers.
+    [[nodiscard]] bool has_related(const LoggedPart& part) const {
+        return (!part.outside.empty() && model_.boundary().numbers.uses.use_of(part.kind) == NumberUse::related) ||
+               std::ranges::any_of(part.parts, [this](const LoggedPart& inner) { return has_related(inner); });
+    }
+
+    /// Whether the component compares all numbers of the value that are outside the carriers with each other, or only
+    /// passes them on.
+    [[nodiscard]] bool are_related(const LoggedPart& part) const {
+        const NumberUse use = model_.boundary().numbers.uses.use_of(part.kind);
+        return (part.outside.empty() || use != NumberUse::computed) &&
+               std::ranges::all_of(part.parts, [this](const LoggedPart& inner) { return are_related(inner); });
     }
 
     Next take_read(std::uint32_t index, process::Event event, const TraceToken& token) {
@@ -329,8 +360,14 @@ private:
 
     Next reject_event(std::string what) {
         record_place();
-        run_->verdict = RunVerdict::rejected;
         run_->what = std::move(what);
+        if (!checker_.rounding_.empty()) {
+            run_->verdict = RunVerdict::inconclusive;
+            run_->reason = fmt::format("the model excludes this, but code with rounded numbers may decide {} otherwise",
+                                       checker_.rounding_);
+            return Next::stop;
+        }
+        run_->verdict = RunVerdict::rejected;
         const Alphabet& alphabet = model_.alphabet();
         const std::size_t mark = run_->what.find_first_of("?!");
         const bool read_again = mark != std::string::npos && run_->what[mark] == '?' && !ended_;

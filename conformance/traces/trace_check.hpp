@@ -16,6 +16,7 @@
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/normal_form.hpp"
 #include "conformance/traces/log_projection.hpp"
+#include "conformance/traces/logged_numbers.hpp"
 #include "conformance/traces/trace_alphabet.hpp"
 #include "conformance/traces/trace_text.hpp"
 
@@ -37,9 +38,11 @@ struct RunReport {
                                  ///< on
     // The following members are for rejected and inconclusive runs.
     std::uint64_t at_line = 0;
-    std::uint64_t cycle = 0;                ///< counted from 1
-    std::string what;                       ///< "StartTurning!0.5", "the end of the cycle"
-    std::string reason;                     ///< why the run is inconclusive
+    std::uint64_t cycle = 0;       ///< counted from 1
+    std::string what;              ///< "StartTurning!0.5", "the end of the cycle"
+    std::string reason;            ///< inconclusive
+    bool related_numbers = false;  ///< inconclusive, because the model compares numbers with each other that are
+                                   ///< outside the finite instantiation
     std::vector<std::string> cycle_so_far;  ///< preceding words of the cycle
     std::vector<std::string> before;        ///< preceding cycles, as logged
     std::vector<std::string> allowed;       ///< events that the model would have allowed, with places
@@ -57,6 +60,8 @@ struct LogReport {
     std::uint64_t runs = 0, accepted = 0, rejected = 0, inconclusive = 0;
     std::uint64_t cycles = 0;
     std::uint64_t replaced = 0;
+    bool related_numbers = false;  ///< of some run
+    LoggedNumbers numbers;         ///< at most one more of each kind than with_logged_numbers takes
     std::optional<LogFault> fault;
     TraceHeader header;
 };
@@ -67,6 +72,9 @@ public:
     /// unit.
     TraceChecker(CyclicModel&, std::vector<std::string> component, const refine::Limits&,
                  const diagnostics::SourceManager&, durations::Unit unit = {});
+    /// For one log, whose numbers the model's instantiation contains.
+    TraceChecker(CyclicModel&, std::vector<std::string> component, const refine::Limits&,
+                 const diagnostics::SourceManager&, durations::Unit unit, const ExactNumbers& exact);
     ~TraceChecker();
 
     /// Reads one log to its end, or to the first line that cannot be parsed. `constants` contains the constants of the
@@ -87,6 +95,7 @@ private:
     const diagnostics::SourceManager* sources_;
     refine::Budget budget_;
     TraceAlphabet alphabet_;
+    std::string rounding_;  ///< as in ExactNumbers
     std::optional<std::vector<std::vector<lts::Word>>> starts_;
     std::deque<std::unique_ptr<Form>> forms_;
 };

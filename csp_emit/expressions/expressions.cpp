@@ -82,6 +82,14 @@ constexpr Clipping clippings[] = {{ExprKind::plus, "Plus", "Plus"},          {Ex
                                   {ExprKind::times, "Mult", "RealMult"},     {ExprKind::divide, "Div", "RealDiv"},
                                   {ExprKind::modulus, "Modulus", "Modulus"}, {ExprKind::negate, "Neg", "Neg"}};
 
+/// The operation without clipping: its operator on numbers of the script. Null for the operators that are not the same
+/// on scaled reals.
+ExprPtr unclipped_operation(ExprKind kind, const b::Exprs& operands) {
+    if (kind == ExprKind::plus) return b::binary(Op::plus, operands.at(0), operands.at(1));
+    if (kind == ExprKind::minus) return b::binary(Op::minus, operands.at(0), operands.at(1));
+    return kind == ExprKind::negate ? b::negate(operands.at(0)) : nullptr;
+}
+
 const char* clipping_function(ExprKind kind, bool scaled_real) {
     for (const Clipping& clipping : clippings)
         if (clipping.kind == kind) return scaled_real ? clipping.real : clipping.whole;
@@ -94,6 +102,8 @@ ExprPtr Translator::clipped_operation(ExprKind kind, b::Exprs operands, ir::Type
     // -3 is a literal and not an operation, because RoboTool's carriers contain every literal of the model with its
     // sign.
     if (kind == ExprKind::negate && operands.at(0)->kind == Op::integer) return b::number(-operands[0]->number);
+    if (project_.instantiation.unbounded)
+        if (const ExprPtr operation = unclipped_operation(kind, operands)) return operation;
     operands.push_back(type_set(project_, type));
     return b::call(clipping_function(kind, is_real(type) && scale() != 1), operands);
 }

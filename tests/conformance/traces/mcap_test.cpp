@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/diagnostics/splitmix64.hpp"
+#include "conformance/traces/decompress.hpp"
 #include "conformance/traces/mcap.hpp"
 
 namespace robochart::conformance {
@@ -112,10 +115,6 @@ TEST(Mcap, IsRefusedWithThePlaceOfTheError) {
     const std::string inside = plain + message(1, "tock");
     const std::string chunk_place = std::to_string(begin + 9) + ": ";
     expect(whole(chunk(inside, crc_of(inside) ^ 1U)), chunk_place + "the checksum of a chunk is wrong");
-    expect(whole(chunk(inside, 0, "zstd")),
-           chunk_place +
-               "a chunk is compressed (zstd): convert the file, for example with `mcap "
-               "decompress`");
     expect(whole(chunk(end_of_data(), 0)),
            std::to_string(begin + 9 + 40) + ": a chunk contains a record with the code 15");
     expect(whole(chunk(chunk("", 0), 0)),
@@ -131,6 +130,70 @@ TEST(Mcap, IsRefusedWithThePlaceOfTheError) {
     expect(whole(texts + message(1, "\0\3\0\0\1\0\0\0\0"s)), text_place + "a message is not in plain CDR");
     expect(whole(texts + message(1, "\0\1\0\0\xff\xff\xff\xff\0"s)),
            std::to_string(begin + texts.size() + 9 + 22 + 8) + ": a text has 4294967295 bytes, but only 1 are left");
+}
+
+std::string compressed_chunk(const std::string& compression, const std::string& data, std::uint64_t size,
+                             std::uint32_t crc) {
+    return record(
+        6, little(0, 16) + little(size, 8) + little(crc, 4) + text_field(compression) + little(data.size(), 8) + data);
+}
+/// A frame of Zstandard whose only block is not compressed (RFC 8878, 3.1.1): single segment, content size in 2 bytes.
+std::string zstd_frame(const std::string& bytes) {
+    return little(0xFD2FB528U, 4) + '\x60' + little(bytes.size() - 256, 2) + little(bytes.size() * 8 + 1, 3) + bytes;
+}
+/// A frame with a block that repeats one byte (RLE).
+std::string zstd_repeated(char byte, std::uint64_t count) {
+    return little(0xFD2FB528U, 4) + '\x00' + '\x58' + little(count * 8 + 3, 3) + byte;
+}
+/// A frame of LZ4 whose only block is not compressed: version 1, independent blocks of at most 64 KiB. The byte after
+/// the descriptor is the second byte of its XXH32.
+std::string lz4_frame(const std::string& bytes) {
+    return little(0x184D2204U, 4) + '\x60' + '\x40' + '\x82' + little(bytes.size() | 0x80000000U, 4) + bytes +
+           little(0, 4);
+}
+
+TEST(Mcap, MayHaveCompressedChunks) {
+    const std::string inside = plain + message(1, "robochart-trace 1") + message(1, std::string(300, 'x'));
+    const std::uint32_t crc = crc_of(inside);
+    for (const auto& [compression, data] :
+         std::vector<std::pair<std::string, std::string>>{{"zstd", zstd_frame(inside)}, {"lz4", lz4_frame(inside)}}) {
+        if (!can_decompress(compression)) {
+            EXPECT_NE(read(whole(compressed_chunk(compression, data, inside.size(), crc)))
+                          .find("built without the package lib" + compression + "-dev"),
+                      std::string::npos);
+            continue;
+        }
+        const auto error_of = [&](const std::string& bytes, std::uint64_t size, std::uint32_t checksum) {
+            return read(whole(compressed_chunk(compression, bytes, size, checksum)));
+        };
+        EXPECT_EQ(error_of(data, inside.size(), crc), "robochart-trace 1\n" + std::string(300, 'x') + "\n");
+        EXPECT_NE(error_of(data, inside.size(), crc ^ 1U).find("the checksum of a chunk is wrong"), std::string::npos);
+        EXPECT_NE(error_of(data, inside.size() - 1, crc).find("more than the declared"), std::string::npos);
+        EXPECT_NE(error_of(data, inside.size() + 1, crc).find("but should have"), std::string::npos);
+        EXPECT_NE(error_of(data, 1ULL << 40U, crc).find("at most 268435456 are read"), std::string::npos);
+        EXPECT_NE(error_of("", inside.size(), crc).find("has 0 bytes, but should have"), std::string::npos);
+        EXPECT_NE(error_of(data + "rubbish", inside.size(), crc).find("is damaged"), std::string::npos);
+        for (std::size_t length = 1; length < data.size(); ++length)
+            EXPECT_NE(error_of(data.substr(0, length), inside.size(), crc).find("chunk"), std::string::npos) << length;
+        std::string faulty = data;
+        faulty[0] = 'x';
+        EXPECT_NE(error_of(faulty, inside.size(), crc).find("is damaged"), std::string::npos);
+        // an error in the records has its own place
+        const std::string wrong = message(7, std::string(300, 'x'));
+        EXPECT_NE(error_of(compression == "zstd" ? zstd_frame(wrong) : lz4_frame(wrong), wrong.size(), 0)
+                      .find("byte 9 of a decompressed chunk: a message is of channel 7"),
+                  std::string::npos);
+    }
+    EXPECT_NE(read(whole(compressed_chunk("brotli", "x", 1, 0))).find("the compression `brotli`"), std::string::npos);
+}
+
+/// Data that decompresses to more than the chunk declares is refused before it is all there.
+TEST(Mcap, ChunksDoNotGrowBeyondTheirSize) {
+    if (!can_decompress("zstd")) GTEST_SKIP() << "this program was built without libzstd-dev";
+    std::string bomb;
+    for (int i = 0; i < 10'000; ++i) bomb += zstd_repeated('\0', 128 * 1024);  // 1.2 GiB
+    EXPECT_NE(read(whole(compressed_chunk("zstd", bomb, 1000, 0))).find("more than the declared 1000 bytes"),
+              std::string::npos);
 }
 
 /// Every prefix of a file is refused. A file with a changed byte is refused if it has checksums.

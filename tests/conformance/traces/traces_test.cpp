@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "conformance/model/rules.hpp"
+#include "conformance/traces/logged_numbers.hpp"
 #include "conformance/traces/more_numbers.hpp"
 #include "conformance/traces/trace_check.hpp"
 #include "tests/conformance/bench.hpp"
@@ -21,15 +22,13 @@ using ::testing::HasSubstr;
 /// A model with a checker of logs for one of its components.
 class Replay {
 public:
-    Replay(const std::string& folder, const std::string& component, std::uint32_t cycle = 1) : project_(folder) {
+    Replay(const std::string& folder, const std::string& component, std::uint32_t cycle = 1)
+        : project_(folder),
+          component_(component == "module" ? project_.first_module() : project_.machine_named(component)),
+          cycle_(cycle),
+          instantiation_(with_more_numbers(project_.system, project_.instantiation, component_)),
+          model_(load_model(instantiation_)) {
         EXPECT_TRUE(project_.diagnostics.ok());
-        const ir::ComponentRef ref =
-            component == "module" ? project_.first_module() : project_.machine_named(component);
-        std::string error;
-        instantiation_ = with_more_numbers(project_.system, project_.instantiation, ref);
-        model_ = CyclicModel::load(project_.system, instantiation_, ref, cycle, limits_, project_.sources,
-                                   project_.diagnostics, error);
-        EXPECT_NE(model_, nullptr) << error;
         checker_ = std::make_unique<TraceChecker>(*model_, std::vector<std::string>{"M"}, limits_, project_.sources);
     }
 
@@ -44,11 +43,37 @@ public:
         return checker_->check_log(in, constants, [this](const RunReport& run) { reported.push_back(run); });
     }
 
+    /// Checks the runs of a log with the numbers of the log in the carriers, as the command does.
+    LogReport check_numbers(const std::string& runs) {
+        const LogReport first = check_runs(runs);
+        if (!first.related_numbers) return first;
+        cause.clear();
+        const auto exact =
+            with_logged_numbers(project_.system, instantiation_, model_->boundary(), first.numbers, cause);
+        if (!exact) return first;
+        const auto model = load_model(exact->instantiation);
+        TraceChecker checker(*model, {"M"}, limits_, project_.sources, {}, *exact);
+        std::istringstream in("robochart-trace 1\ncomponent M\n" + runs);
+        reported.clear();
+        return checker.check_log(in, {}, [this](const RunReport& run) { reported.push_back(run); });
+    }
+
     std::vector<RunReport> reported;
+    std::string cause;  ///< reason why the carriers cannot contain the numbers of the log
 
 private:
+    std::unique_ptr<CyclicModel> load_model(const ir::Instantiation& instantiation) {
+        std::string error;
+        auto model = CyclicModel::load(project_.system, instantiation, component_, cycle_, limits_, project_.sources,
+                                       project_.diagnostics, error);
+        EXPECT_NE(model, nullptr) << error;
+        return model;
+    }
+
     test::Model project_;
     refine::Limits limits_;
+    ir::ComponentRef component_;
+    std::uint32_t cycle_;
     ir::Instantiation instantiation_;
     std::unique_ptr<CyclicModel> model_;
     std::unique_ptr<TraceChecker> checker_;
@@ -267,10 +292,10 @@ stm M {
         EXPECT_EQ(replay.check_runs(std::string("run a\ndrive!") + wrong + " tock\n").rejected, 1U) << wrong;
 }
 
-/// The model compares two readings, so both must be in the finite instantiation.
-TEST(Traces, NumbersThatAreComparedWithEachOtherLeaveTheRunUndecided) {
-    Replay replay(test::ModelFolder(R"(
-interface Ops { near() }
+/// A model that compares two readings, one of which it stores.
+std::string nearer(const std::string& condition) {
+    return R"(
+interface Ops { near(x : real) }
 interface Events { event distance : real event limit : real }
 stm M {
 	requires Ops
@@ -279,19 +304,137 @@ stm M {
 	var l : real
 	initial i
 	state Far { }
-	state Near { entry near() }
 	transition t0 { from i to Far }
 	transition t1 { from Far to Far trigger limit?l }
-	transition t2 { from Far to Near trigger distance?d condition d < l }
+	transition t2 { from Far to Far trigger distance?d condition )" +
+           condition + R"( action near(d) }
+}
+)";
+}
+
+/// The verdict of a cycle that reads a distance after a limit, with the output and without it: 'a'ccepted, 'r'ejected,
+/// 'i'nconclusive.
+std::string verdicts(Replay& replay, const std::string& limit, const std::string& distance) {
+    std::string result;
+    for (const std::string& output : {" near!" + distance, std::string()}) {
+        const LogReport report =
+            replay.check_numbers("run a\ntock\nlimit?" + limit + " tock\ndistance?" + distance + output + " tock\n");
+        result += report.accepted == 1 ? 'a' : report.rejected == 1 ? 'r' : 'i';
+    }
+    return result;
+}
+
+/// Two readings are compared as they were logged, whatever their sizes: floats are not rounded to decimals.
+TEST(Traces, ReadingsThatAreComparedWithEachOtherDecide) {
+    Replay replay(test::ModelFolder(nearer("d < l")).path(), "M");
+    for (const auto& [limit, distance, near] :
+         std::vector<std::tuple<std::string, std::string, bool>>{{"2", "1", true},
+                                                                 {"1", "2", false},
+                                                                 {"2", "1.5", true},
+                                                                 {"1.5", "1.5", false},
+                                                                 {"0.1", "0.30000001192092896", false},
+                                                                 {"0.30000001192092896", "0.3", true},
+                                                                 {"0.3", "0.30000001192092896", false},
+                                                                 {"0.30000000000000004", "0.3", true},
+                                                                 {"-17.25", "-17.250001", true},
+                                                                 {"123456.789", "123456.7891", false}})
+        EXPECT_EQ(verdicts(replay, limit, distance), near ? "ar" : "ra") << limit << ' ' << distance;
+}
+
+/// `d - l > 0.5` where the difference is not a number of the finite instantiation: it is not clipped.
+TEST(Traces, DifferencesOfReadingsDecide) {
+    Replay replay(test::ModelFolder(nearer("l - d > 0.5")).path(), "M");
+    for (const auto& [limit, distance, near] :
+         std::vector<std::tuple<std::string, std::string, bool>>{{"0", "2", false},
+                                                                 {"2", "0", true},
+                                                                 {"7.25", "6.5", true},
+                                                                 {"7.25", "6.75", false},
+                                                                 {"1e6", "0.125", true},
+                                                                 {"0.800000011920929", "0.30000001192092896", false},
+                                                                 {"0.9000000357627869", "0.30000001192092896", true}})
+        EXPECT_EQ(verdicts(replay, limit, distance), near ? "ar" : "ra") << limit << ' ' << distance;
+}
+
+/// The readings are in the finite instantiation and their difference is not: -2 - 2 is not clipped to -2.
+TEST(Traces, DifferencesOutsideTheInstantiationAreNotClipped) {
+    Replay replay(test::ModelFolder(nearer("l - d > -2.5")).path(), "M");
+    EXPECT_EQ(verdicts(replay, "-2", "2"), "ra");
+    EXPECT_EQ(verdicts(replay, "2", "-2"), "ar");
+    EXPECT_EQ(verdicts(replay, "-2", "0"), "ar");
+}
+
+/// The value of an earlier cycle, in a sum with three readings.
+TEST(Traces, SumsOfThreeReadingsDecide) {
+    Replay replay(test::ModelFolder(R"(
+interface Ops { jump() }
+interface Events { event level : real }
+stm M {
+	requires Ops
+	uses Events
+	var a : real
+	var b : real
+	var c : real
+	initial i
+	state S { }
+	transition t0 { from i to S }
+	transition t1 { from S to S trigger level?c condition c + a <= b + b action a = b ; b = c }
+	transition t2 { from S to S trigger level?c condition c + a > b + b action jump() ; a = b ; b = c }
 }
 )")
                       .path(),
                   "M");
-    EXPECT_EQ(replay.check_runs("run a\ntock\nlimit?2 tock\ndistance?1 near! tock\n").accepted, 1U);
-    EXPECT_EQ(replay.check_runs("run a\ntock\nlimit?1 tock\ndistance?2 near! tock\n").rejected, 1U);
-    EXPECT_EQ(replay.check_runs("run a\ntock\nlimit?2 tock\ndistance?1.5 near! tock\n").inconclusive, 1U);
-    EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("1.5 is outside the finite instantiation"));
-    EXPECT_EQ(replay.reported.at(0).cycle, 3U);
+    // the second differences of 0 0 1.25 2.5 3.5 4.75 are 1.25 0 -0.25 0.25
+    const std::string good =
+        "run a\ntock\nlevel?1.25 jump! tock\nlevel?2.5 tock\nlevel?3.5 tock\nlevel?4.75 jump! tock\n";
+    EXPECT_EQ(replay.check_numbers(good).accepted, 1U) << replay.cause;
+    EXPECT_EQ(replay.check_numbers("run a\ntock\nlevel?1.25 jump! tock\nlevel?2.5 jump! tock\n").rejected, 1U);
+    EXPECT_EQ(
+        replay.check_numbers("run a\ntock\nlevel?1.25 jump! tock\nlevel?2.5 tock\nlevel?3.75 jump! tock\n").rejected,
+        1U);
+}
+
+/// 1.1 - 0.6 is 0.5, but 0.5000000000000001 in the arithmetic of double: a robot may do either. The exact answer is
+/// accepted, the other one is not rejected.
+TEST(Traces, SumsWithinTheRoundingErrorAreNotRejected) {
+    ASSERT_GT(1.1 - 0.6, 0.5);
+    Replay replay(test::ModelFolder(nearer("l - d > 0.5")).path(), "M");
+    EXPECT_EQ(verdicts(replay, "1.1", "0.6"), "ia");
+    ASSERT_EQ(replay.check_numbers("run a\ntock\nlimit?1.1 tock\ndistance?0.6 near!0.6 tock\n").inconclusive, 1U);
+    EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("1.1 - 0.6 > 0.5"));
+}
+
+/// A model that also computes with readings leaves the run undecided, as do more numbers than the carriers can take.
+TEST(Traces, ComputedNumbersLeaveTheRunUndecided) {
+    Replay doubled(test::ModelFolder(nearer("d * 2 < l")).path(), "M");
+    EXPECT_EQ(verdicts(doubled, "2.5", "1.5"), "ii");
+    EXPECT_THAT(doubled.reported.at(0).reason, HasSubstr("2.5 is outside the finite instantiation"));
+    Replay replay(test::ModelFolder(nearer("d < l")).path(), "M");
+    std::string many = "run a\ntock\n";
+    for (std::size_t i = 0; i <= most_logged_numbers; ++i) many += "limit?" + std::to_string(i) + ".5 tock\n";
+    EXPECT_EQ(replay.check_numbers(many).inconclusive, 1U);
+    EXPECT_THAT(replay.cause, HasSubstr("more than 1000 different numbers"));
+}
+
+/// Whole numbers are compared as they are; naturals are not subtracted, because the result may be negative.
+TEST(Traces, WholeNumbersAreComparedWithEachOther) {
+    const auto model = [](const std::string& type, const std::string& condition) {
+        return "interface Ops { more() }\ninterface Events { event count : " + type +
+               " }\nstm M { requires Ops uses Events var a : " + type + " var b : " + type +
+               " initial i state S { } transition t0 { from i to S }\n"
+               "transition t1 { from S to S trigger count?a condition " +
+               condition + " action more() ; b = a } }\n";
+    };
+    Replay integers(test::ModelFolder(model("int", "a - b > 10")).path(), "M");
+    EXPECT_EQ(
+        integers.check_numbers("run a\ntock\ncount?1000 more! tock\ncount?1010 tock\ncount?1011 more! tock\n").accepted,
+        1U);
+    EXPECT_EQ(integers.check_numbers("run a\ntock\ncount?1000 more! tock\ncount?1010 more! tock\n").rejected, 1U);
+    EXPECT_EQ(integers.check_numbers("run a\ntock\ncount?-1000 tock\n").accepted, 1U);
+    Replay naturals(test::ModelFolder(model("nat", "a > b")).path(), "M");
+    EXPECT_EQ(naturals.check_numbers("run a\ntock\ncount?1000 more! tock\ncount?999 tock\n").accepted, 1U);
+    EXPECT_EQ(naturals.check_numbers("run a\ntock\ncount?1000 more! tock\ncount?999 more! tock\n").rejected, 1U);
+    Replay differences(test::ModelFolder(model("nat", "a - b > 10")).path(), "M");
+    EXPECT_EQ(differences.check_numbers("run a\ntock\ncount?1000 more! tock\n").inconclusive, 1U);
 }
 
 const char* const carrier = R"(
