@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change. Tokens,
-// comments, CSP blocks and parts for other tools are not changed.
+// Formats RoboChart and assertion text in the standard layout (docs/format.md). Only blanks and line ends change.
+// Tokens, comments, CSP blocks and parts for other tools are not changed.
 #pragma once
 
 #include <optional>
