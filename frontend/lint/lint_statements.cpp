@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes in single statements and transitions: a duplicate transition, a variable assigned to itself, a wait that its
-// own deadline interrupts.
+// Reports mistakes in single statements and transitions: duplicate transitions, assignments of a variable to itself,
+// and waits that are longer than their deadline.
 #include <map>
 
 #include "frontend/lint/lints.hpp"
