@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One level of a diagram as the input of a layout (boxes with sizes, edges with labels), and the resulting placement.
-// Inner levels are laid out first, each separately; the size of a box includes its contents.
+// Defines the input of a layout, which is one level of a diagram (boxes with sizes, edges with labels), and the
+// resulting placement. Inner levels are laid out first, each separately. The size of a box includes its contents.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct Rank {
     friend bool operator==(const Rank&, const Rank&) = default;
 };
 
-/// A square on the left or right border of a box, at which edges end. A level with ports is laid out to the right.
+/// A square on the left or right border of a box. Edges may end at it. A level with ports is laid out to the right.
 struct Port {
     double label_width = 0;  ///< the width of the text next to the square, inside the box
 };
@@ -49,7 +49,7 @@ struct Edge {
     std::vector<std::size_t> previous;              ///< `PlacedEdge::ranks` in the layout before an edit
 };
 
-/// Boxes and edges are in textual order, which breaks ties in the layout.
+/// The input of a layout. Boxes and edges are in textual order, which breaks ties.
 struct Level {
     std::vector<Box> boxes;
     std::vector<Edge> edges;

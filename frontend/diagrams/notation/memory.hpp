@@ -30,7 +30,7 @@ struct LevelNames {
     std::vector<std::string> boxes, edges;
 };
 
-/// Lays out a level as similarly as possible to the last time, and remembers the result.
+/// Lays out a level as similarly as possible to the remembered layout, and remembers the result.
 [[nodiscard]] layout::Placement arrange_again(layout::Level& level, LevelNames names, Memory* memory,
                                               diagnostics::Budget* budget);
 
