@@ -6,14 +6,14 @@
 namespace robochart::ir {
 namespace {
 
-/// Bounds of a part of a condition, without time. `upper` is true if the part is true for some values of the clocks.
-/// `lower` is true only if the part is true for all values of the clocks. Null means true for `upper` and false for
-/// `lower`.
+/// Bounds for the truth of a part of a condition in the untimed semantics. `upper` is true if the part is true for some
+/// values of the clocks. `lower` is true only if the part is true for all values of the clocks. A null pointer means
+/// true for `upper` and false for `lower`.
 struct Bounds {
     ExprPtr upper, lower;
 };
 
-/// A boolean expression that replaces `whole` or a part of it.
+/// Returns a boolean expression that replaces `whole` or a part of it.
 ExprPtr make_boolean_expression(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
     Expr result;
     result.kind = kind;
@@ -50,7 +50,7 @@ ExprPtr lower_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr&
     return left && right ? make_boolean_expression(whole, ExprKind::conjunction, {left, right}) : nullptr;
 }
 
-/// Bounds that are correct for both branches, because the condition of `if` may read clocks.
+/// Returns bounds that are correct for both branches, because the condition of `if` may read clocks.
 Bounds bounds_of_choice(const Expr& choice, const Bounds& yes, const Bounds& no) {
     const ExprPtr& condition = choice.args[0];
     if (mentions_clock(*condition))
