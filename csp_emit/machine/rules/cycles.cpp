@@ -26,14 +26,14 @@ Program waiting_for_cycle(const std::string& label, const Program& rest) {
     return push_item(item, rest);
 }
 
-/// Whether the machine waits for the next cycle in its final state.
+/// True if the machine waits for the next cycle in its final state.
 bool waits_at_end(const MachineTables& tables, const Activation& config) {
     if (!config.at.is_valid()) return false;
     const ir::Node& node = tables.machine().nodes[config.at.index];
     return node.kind == ir::NodeKind::final && !node.parent.is_valid();
 }
 
-/// `registerRead.i_e?b?v`, after which the register has these contents.
+/// Returns the branch `registerRead.i_e?b?v`, after which the register has these contents.
 Branch read_register(const MachineTables& tables, const Activation& config, const ir::Input& input) {
     const auto& cells = tables.frames.root_frame().variables;
     std::vector<cspm::Field> fields;
