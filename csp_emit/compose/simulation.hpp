@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: `simulation N of M`, a RoboChart component that runs in cycles, as RoboTool defines it (docs/robosim.md).
+// Emits RoboSim's `simulation N of M`: a RoboChart component that runs in cycles, as RoboTool defines it
+// (docs/robosim.md).
 #pragma once
 
 #include "csp_emit/base/component.hpp"
