@@ -7,13 +7,13 @@
 
 namespace robochart::csp_emit {
 
-/// One obligation for each property that is decided in this semantics. Obligations may add declarations with unique
-/// names to the script. The meanings of these names are added to the provenance.
+/// Returns one obligation for each property that is decided in this semantics. Obligations may add declarations with
+/// unique names to the script. The meanings of these names are added to the provenance.
 [[nodiscard]] std::vector<Obligation> make_obligations(const Project&, NameManager&, Emitted&);
-/// The component's process of this variant ("D__") with defaults for its parameters.
+/// Returns the component's process of this variant ("D__") with defaults for its parameters.
 [[nodiscard]] cspm::ExprPtr default_process(const Project&, const std::string& path, const ComponentEmission&,
                                             const std::string& variant);
-/// The default arguments, `id__` first.
+/// Returns the default arguments of the component's process. The first is the argument for `id__`.
 [[nodiscard]] std::vector<cspm::ExprPtr> default_arguments(const Project&, const ComponentEmission&);
 
 }  // namespace robochart::csp_emit
