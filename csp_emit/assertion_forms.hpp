@@ -11,19 +11,20 @@
 
 namespace robochart::csp_emit {
 
-/// `P :[deadlock free]`, which counts a terminated process as deadlocked. Timed, with Ev = Events \ {tock, tock'}:
-///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock} is divergence-free.
+/// Asserts `P :[deadlock free]`, which counts a terminated process as deadlocked. In the timed semantics, with
+/// Ev = Events \ {tock, tock'}, asserts that the following process is divergence-free:
+///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock}
 /// A hidden tock is performed only if P offers no other event than tock'. So a divergence is a run in which, from some
 /// point on, time passes forever and P offers nothing else.
 [[nodiscard]] cspm::DeclPtr deadlock_free(const cspm::ExprPtr& process, bool timed, cspm::Model, bool negated = false);
-/// `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`: every stable state of P accepts tock.
+/// Asserts `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`: every stable state of P accepts tock.
 [[nodiscard]] cspm::DeclPtr timelock_free(const cspm::ExprPtr& process, bool negated = false);
-/// `STOP [T= (P; r__ -> STOP) |\ {r__}`: no ✓ is reachable, because r__ would follow it.
+/// Asserts `STOP [T= (P; r__ -> STOP) |\ {r__}`: no ✓ is reachable, because r__ would follow it.
 [[nodiscard]] cspm::DeclPtr never_terminates(const cspm::ExprPtr& process);
-/// `P; RUN({event})`: after P has terminated, `event` stays possible forever.
+/// Returns `P; RUN({event})`: after P has terminated, `event` stays possible forever.
 [[nodiscard]] cspm::ExprPtr running_on(const cspm::ExprPtr& process, const std::string& event);
-/// `SKIP [T= P`: P performs no event except ✓. The negation means that it performs one. RoboTool's specification is
-/// STOP, which also forbids ✓, so that every state of a terminating machine seems reachable.
+/// Asserts `SKIP [T= P`: P performs no event except ✓. The negation means that it performs one. RoboTool's
+/// specification is STOP, which also forbids ✓, so that every state of a terminating machine seems reachable.
 [[nodiscard]] cspm::DeclPtr never_performs(const cspm::ExprPtr& process, bool negated);
 
 /// Returns the effects of a component on its platform: its calls, outputs, and writes of variables that others share.

@@ -305,16 +305,17 @@ void Asserter::add_refinement(const ir::Property& property, Obligation& out) {
     if (property.negated) out.reason = "each of the two refines the other";
 }
 
-/// `S is reachable`: not `SKIP [T= P |\ {| S::entered |}`, that is, `entered` of S is in a trace of P. RoboTool asserts
-/// over VS_O__; VS__ is the same process before compression, so that a counterexample shows every step.
+/// Writes `S is reachable`: not `SKIP [T= P |\ {| S::entered |}`, that is, `entered` of S is in a trace of P.
+/// RoboTool's assertion uses VS_O__. This one uses VS__, the same process before compression, so that a counterexample
+/// shows every step.
 std::vector<DeclPtr> Asserter::assert_reachability(const ir::Property& property) const {
     const ExprPtr entered = b::name(path_of(property.subject) + "::" + property.state + "::entered");
     const ExprPtr only = b::project(process_of(property.subject, property, "VS__"), b::productions({entered}));
     return {never_performs(only, !property.negated)};
 }
 
-/// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. With an instrumented copy
-/// W of the machine (clock_initialisation.cpp):
+/// Writes `clock C is initialised`: no guard reads C before its first reset, and some run resets it. With an
+/// instrumented copy W of the machine (clock_initialisation.cpp):
 ///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
 void Asserter::add_initialisation(const ir::Property& property, Obligation& out) {
     const WatchedCopy watch =
@@ -327,9 +328,9 @@ void Asserter::add_initialisation(const ir::Property& property, Obligation& out)
     out.reason = property.negated ? "every read of it follows a reset" : "no run resets it";
 }
 
-/// `event E is missed in S for n time units`: while the machine is in S, n consecutive time units pass in which E is
-/// never offered; the platform accepts calls, outputs and writes at once. `is not missed` is SKIP [T= M |\ {missed__}
-/// (see `missing`).
+/// Writes `event E is missed in S for n time units`: while the machine is in S, n consecutive time units can pass in
+/// which E is never offered. The platform accepts calls, outputs and writes at once. `is not missed` is SKIP [T= M |\
+/// {missed__} (see `missing`).
 void Asserter::missed_event(const ir::Property& property, Obligation& out) {
     const ir::Node* state = nullptr;
     for (const ir::Node& node : find_component(property.subject)->machine->nodes)

@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    /// Declarations in timed sections belong to the enclosing scope.
+    /// Adds declarations. Those in timed sections belong to the enclosing scope.
     void declare(const std::vector<DeclPtr>& decls) {
         for (const DeclPtr& decl : decls) {
             if (decl->kind == cspm::DeclKind::timed) declare(decl->decls);

@@ -17,7 +17,7 @@
 
 namespace robochart::csp_emit {
 
-/// The two semantics; each has its own script.
+/// The two semantics. Each has its own script.
 enum class Time { untimed, timed };
 
 /// The kind of model element that a name of the script denotes.
@@ -128,7 +128,7 @@ struct FiringQuestion {
 };
 
 /// Asks whether some event of the goal stays reachable from every reachable state of the process. No refinement
-/// expresses this question; a backward search answers it (checker/refine/verdict/recurrence.hpp).
+/// expresses this question, so a backward search answers it (checker/refine/verdict/recurrence.hpp).
 struct RecurrenceQuestion {
     cspm::ExprPtr process;
     cspm::ExprPtr goal;  ///< a set of events
@@ -163,9 +163,9 @@ struct Obligation {
                                                    ///< `reason`)
     std::optional<FiringQuestion> firing;          ///< decided without an assertion: can all of them fire?
     std::optional<RecurrenceQuestion> recurrence;  ///< decided in addition to the assertions: does the event stay
-                                                   ///< reachable?
-    /// RoboSim: a component that stops time is deadlock-free in RoboTool's sense. If the claim holds and time can stop
-    /// forever, the report states this; the claim still holds.
+                                                   /// < reachable? RoboSim: a component that stops time is
+                                                   /// deadlock-free in RoboTool's sense. If time can stop forever, the
+                                                   /// report states this, but the claim still holds.
     std::optional<RecurrenceQuestion> time_goes_on;
     std::shared_ptr<const Premise> premise;  ///< premise of the answer "holds"; null if there is none. Several
                                              ///< claims may share one

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library is stored as text and parsed by the project's CSPM reader. Its parameters end in `__`, because a
-// parameter with the name of a channel or constructor of the model would become a constructor pattern.
+// Stores the library as text, which the project's CSPM reader parses. Its parameters end in `__`, because a parameter
+// with the name of a channel or constructor of the model would become a constructor pattern.
 
 #include <algorithm>
 

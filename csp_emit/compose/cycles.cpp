@@ -249,8 +249,8 @@ void CycleDefiner::add_write(const RegisterOfPart& writer, const std::string& ou
     writes_.push_back({writer, output});
 }
 
-/// `||| own input i : registerRead.i?x -> (each part) part::registerRead.i!x -> SKIP`, in parallel with the reads of
-/// inner registers. Then the registers of events between parts are emptied.
+/// Returns `||| own input i : registerRead.i?x -> (each part) part::registerRead.i!x -> SKIP`, in parallel with the
+/// reads of inner registers. Then the registers of events between parts are emptied.
 ExprPtr CycleDefiner::reads_of_cycle() const {
     b::Exprs all;
     for (const Register& input : links_.registers.inputs) {
@@ -267,8 +267,8 @@ ExprPtr CycleDefiner::reads_of_cycle() const {
     return b::sequential({b::interleave(all), b::prefix(b::name("emptied__"), b::skip())});
 }
 
-/// `P = part::registerWrite.o?x -> registerWrite.o'!x -> P [] endexec -> SKIP`: a write is passed on before the next
-/// one is accepted. The limit of one write applies to the outputs of the composition, for all parts together. The
+/// Returns `P = part::registerWrite.o?x -> registerWrite.o'!x -> P [] endexec -> SKIP`: a write is passed on before the
+/// next one is accepted. The limit of one write applies to the outputs of the composition, for all parts together. The
 /// execution ends when the executions of all parts have ended.
 ExprPtr CycleDefiner::execution() const {
     std::vector<std::vector<ExprPtr>> limited;
@@ -376,8 +376,8 @@ ExprPtr CycleDefiner::parts_process(const std::string& variant) const {
     return result;
 }
 
-/// `((parts [| their registers, endexec, terminate, tock |] Cycle) [| inner registers |] ...) \ parts' events`, which
-/// ends with `terminate`.
+/// Returns `((parts [| their registers, endexec, terminate, tock |] Cycle) [| inner registers |] ...) \ parts' events`,
+/// which ends with `terminate`.
 ExprPtr CycleDefiner::whole(const std::string& variant) const {
     b::Exprs shared{b::name("terminate"), b::name("tock")};
     shared.insert(shared.end(), reads_.begin(), reads_.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the directions of connections (language reference 2: Cn5 to Cn9). A trigger and an input statement receive;
-// the statements `e`, `e!v` and `e.v` send. An operation that the controller defines counts as part of the machine that
+// Checks the directions of connections (language reference 2: Cn5 to Cn9). Triggers and input statements receive. The
+// statements `e`, `e!v` and `e.v` send. An operation that the controller defines counts as part of the machine that
 // calls it. Statements in parentheses are included (RoboTool ignores them).
 #include <fmt/format.h>
 

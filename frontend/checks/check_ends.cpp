@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks Cn10 (language reference 2): the component at each end of a connection has the connected event. If an
-// interface clause is missing, all events of the interface are missing; this is reported once, even if several
+// interface clause is missing, all events of the interface are missing. This is reported once, even if several
 // connections use the events.
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the form of a probabilistic property. It must be a condition or a query; a number, or a path formula without a
+// Checks the form of a probabilistic property. It must be a condition or a query. A number, or a path formula without a
 // quantifier, is an error.
 #include "frontend/checks/checks.hpp"
 #include "frontend/rules/rules.hpp"

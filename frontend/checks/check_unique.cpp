@@ -104,13 +104,13 @@ void check_assertions(const Model& model, Diagnostics& out) {
     }
 }
 
-/// Checks the declarations of one full name; each kind is reported separately.
+/// Checks the declarations of one full name. Each kind is reported separately.
 void check_entry(const Names& names, const std::string& full, const std::vector<const Declaration*>& declarations,
                  Diagnostics& out) {
     std::vector<std::vector<const Declaration*>> groups;
     std::unordered_set<const Declaration*> entered;
     for (const Declaration* declaration : declarations) {
-        // The table contains a literal of a named enumeration twice; only the entry with the full name is checked.
+        // The table contains a literal of a named enumeration twice. Only the entry with the full name is checked.
         if (declaration->kind == DeclKind::enum_literal && full != names.full_name(declaration)) continue;
         if (!entered.insert(declaration).second) continue;
         const auto group =

@@ -116,7 +116,7 @@ private:
         }
     }
 
-    /// Names the interfaces that have members.
+    /// Chooses names for the interfaces that have members.
     void name_interfaces() {
         const auto name = [&](bool used, const char* what) {
             return used ? robosim_name(subject_.context->name + what) : std::string();

@@ -11,7 +11,7 @@
 
 namespace robochart::frontend {
 
-/// Returns the text in the standard layout; formatting the result again does not change it. Returns no value if the
+/// Returns the text in the standard layout. Formatting the result again does not change it. Returns no value if the
 /// text has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost, which is an
 /// internal error.
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,

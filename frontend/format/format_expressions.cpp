@@ -234,7 +234,7 @@ Doc ExpressionLayout::atomic_type(Gap gap) {
     return doc_.cat(word, format_list(Gap::none, &ExpressionLayout::type_or_size));
 }
 
-/// Formats an argument of `vector` or `matrix`. The first argument is a type; the others are sizes.
+/// Formats an argument of `vector` or `matrix`. The first argument is a type, and the others are sizes.
 Doc ExpressionLayout::type_or_size(Gap gap) {
     return gap == Gap::soft ? format_type(gap) : format_expression(gap);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formats states, actions and transitions. A short body is written on the line of its head; a longer body has one part
+// Formats states, actions and transitions. A short body is written on the line of its head. A longer body has one part
 // per line.
 #include "frontend/format/format_model.hpp"
 

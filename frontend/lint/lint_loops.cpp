@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds cycles of transitions that need no event and no time (semantics 3.4, 3.10). Such transitions are urgent, so a
-// machine that can stay in the cycle stays in it, and time stops. A cycle is reported only if three conditions are met:
-// no action on it waits, calls or communicates; its guards can be true together; and neither its own actions nor a
-// concurrent during action changes a variable or clock in its guards.
+// machine that can stay in the cycle stays in it, and time stops. A cycle is reported only if three conditions are met.
+// (1) No action on it waits, calls or communicates. (2) Its guards can be true together. (3) Neither its own actions
+// nor a concurrent during action changes a variable or clock in its guards.
 #include <algorithm>
 #include <deque>
 #include <set>

@@ -24,8 +24,8 @@ std::string as_text(const Transition& transition) {
     return text;
 }
 
-/// Reports RC-W14. Transitions that are enabled together but have different effects are not duplicates; they express a
-/// choice.
+/// Reports RC-W14. Transitions that are enabled together but have different effects are not duplicates, because they
+/// express a choice.
 void check_copies(const NodeContainer& container, Diagnostics& out) {
     std::map<std::string, const Transition*> seen;
     for (const auto& transition : container.transitions) {

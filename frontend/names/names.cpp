@@ -136,7 +136,7 @@ const File* Names::file_of(const Declaration& declaration) const {
     return owner != files_.end() ? owner->second : nullptr;
 }
 
-/// True if `declaration` is inside `around` at any depth; always true if `around` is null.
+/// True if `declaration` is inside `around` at any depth, or if `around` is null.
 bool stands_inside(const Declaration* declaration, const Declaration* around) {
     while (declaration != nullptr && declaration != around) declaration = declaration->parent;
     return declaration == around;

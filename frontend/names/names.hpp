@@ -71,7 +71,7 @@ public:
     [[nodiscard]] bool has_package(const std::string& name) const;
     /// True if the name is a package or the beginning of a package name (`A` of `A::B`).
     [[nodiscard]] bool leads_to_package(const std::string& name) const;
-    /// Returns the packages that have files, sorted; "" is the unnamed package.
+    /// Returns the packages that have files, sorted. The unnamed package is "".
     [[nodiscard]] const std::vector<std::string>& packages() const { return packages_; }
     /// True if the name may be declared in text that could not be parsed, so that it must not be reported as unknown.
     [[nodiscard]] bool is_lost(const QualifiedName& name) const;

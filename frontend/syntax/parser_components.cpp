@@ -25,7 +25,7 @@ bool Parser::context_member(Context& context) {
     return true;
 }
 
-/// Parses an interface clause. RoboChart.xtext allows one name after the keyword; old models have lists.
+/// Parses an interface clause. RoboChart.xtext allows one name after the keyword, but old models have lists.
 void Parser::interface_clause(Context& context) {
     InterfaceClause clause;
     clause.use = InterfaceUse::provides;

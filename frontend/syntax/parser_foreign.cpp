@@ -72,7 +72,7 @@ void Parser::pass_sign_behind_word() {
         pass_superfluous("a keyword is directly followed by its contents");
 }
 
-/// The second word is replaced by the intended one.
+/// See parser.hpp. The intended word replaces the second word.
 void Parser::replace_two_words(std::string_view instead, std::string_view reason) {
     const Span span = diagnostics::join_spans(peek().span, peek(1).span);
     const std::string text(sources_.source_text(source_).substr(span.begin, span.end - span.begin));

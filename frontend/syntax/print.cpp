@@ -135,7 +135,8 @@ std::string written_value(const QualifiedName& name) {
 
 }  // namespace
 
-/// `Set` and `Seq` are reserved only before a bracket. They are always escaped, which is allowed everywhere.
+/// Returns a name, escaped if necessary. `Set` and `Seq` are reserved only before a bracket, but escaping them is
+/// always allowed.
 std::string written_name(std::string_view name) {
     const bool escaped = is_reserved(name) || name == "Set" || name == "Seq";
     return (escaped ? "^" : "") + std::string(name);

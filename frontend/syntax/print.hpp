@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints trees as RoboChart text. Dumps, messages and reports need parts of a tree on one line; people and tools need
+// Prints trees as RoboChart text. Dumps, messages and reports need parts of a tree on one line. People and tools need
 // whole files. Parsing a printed file gives an equal tree (a property test over random trees, tests/random_models).
 #pragma once
 

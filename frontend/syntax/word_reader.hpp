@@ -37,7 +37,7 @@ public:
     /// Returns the text from a place to the last token read, on one line.
     [[nodiscard]] std::string text_since(diagnostics::Span from) const;
 
-    /// Consumes the next token if it is this word; otherwise returns false.
+    /// Consumes the next token if it is this word. Otherwise returns false.
     bool take_word(std::string_view word);
     void expect_word(std::string_view word);
     /// Consumes any name. `what` is its description in the error message.
@@ -47,8 +47,8 @@ public:
     /// Reads a string without its quotes.
     std::string read_quoted(std::string_view what);
 
-    /// Reports a syntax error. `words` are the words that are allowed here; the message suggests the one nearest to the
-    /// text.
+    /// Reports a syntax error. `words` are the words that are allowed here. The message suggests the word nearest to
+    /// the text.
     void fail_expecting(std::string_view expected, const std::vector<std::string>& words = {});
     /// Reports a finding. The returned pointer is valid until the next report. After a syntax error, no finding is
     /// reported and the result is null.

@@ -55,8 +55,8 @@ TypePtr Typer::named_type(TypeExpr& written, Surroundings& around) {
     return written.target != nullptr ? declared_type(static_cast<const TypeDeclaration&>(*written.target)) : nullptr;
 }
 
-/// Types the size of a vector or matrix: a literal or a constant. Sets `value` if the size is a literal or the constant
-/// has a literal value.
+/// Resolves the size of a vector or matrix: a literal or a constant. Sets `value` if the size is a literal or the
+/// constant has a literal value.
 void Typer::size(Expr& expr, Surroundings& around, long& value) {
     const TypePtr type = this->assign_type(expr, around);
     const Expr& inner = strip_parentheses(expr);

@@ -108,8 +108,8 @@ void Typer::check_boolean(const ExprPtr& expr, Surroundings& around, const std::
         finder_.out().report(rules::condition_boolean, expr->span, {what, to_string(type)});
 }
 
-/// Types the elements of a literal. The parts of a tuple may have different types; the elements of a set, a sequence or
-/// a range have one common type.
+/// Computes the types of the elements of a literal. The parts of a tuple may have different types. The elements of a
+/// set, a sequence or a range have one common type.
 TypePtr Typer::type_elements(Expr& expr, Surroundings& around) {
     if (expr.kind == ExprKind::set_range || expr.kind == ExprKind::range) return type_range(expr, around);
     if (expr.kind != ExprKind::tuple)
@@ -157,7 +157,7 @@ TypePtr Typer::type_conditional(Expr& expr, Surroundings& around) {
     return both;
 }
 
-/// Types a matrix `[| … |]`, an inverse or a transpose.
+/// Computes the type of a matrix `[| … |]`, an inverse or a transpose.
 TypePtr Typer::type_matrix(Expr& expr, Surroundings& around) {
     if (expr.kind == ExprKind::matrix) {
         const TypePtr all = type_all(expr, around, TypeForm::sequence);
@@ -192,7 +192,7 @@ TypePtr Typer::type_cast(Expr& expr, Surroundings& around) {
 
 // ---------------------------------------------------------------- binders
 
-/// Types quantifiers, lambda expressions, definite descriptions and comprehensions.
+/// Computes the type of a quantifier, lambda expression, definite description or comprehension.
 TypePtr Typer::type_binder(Expr& expr, Surroundings& around) {
     std::vector<TypePtr> types;
     bool known = true;
@@ -223,7 +223,7 @@ TypePtr Typer::bound_body(Expr& expr, Surroundings& around, const TypePtr& varia
     return make_type(TypeForm::boolean);
 }
 
-/// Types a `let`. Each of its bindings may use the earlier ones.
+/// Computes the type of a `let`. Each of its bindings may use the earlier ones.
 TypePtr Typer::type_let(Expr& expr, Surroundings& around) {
     const std::size_t outer = around.bound.size();
     for (Binding& binding : expr.bindings) {

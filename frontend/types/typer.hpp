@@ -37,7 +37,7 @@ public:
     TypePtr assign_type(const ExprPtr& expr, Surroundings& around) {
         return expr ? assign_type(*expr, around) : nullptr;
     }
-    /// Types an expression, and reports an error if its type is not boolean. The message begins with `what`.
+    /// Computes the type of an expression, and reports an error if it is not boolean. The message begins with `what`.
     void check_boolean(const ExprPtr& expr, Surroundings& around, const std::string& what);
 
     // Statements (typer_statements.cpp)

@@ -42,7 +42,7 @@ TypePtr product_type(const TypePtr& left, const TypePtr& right) {
     if (!left_block) return nullptr;
     const bool left_vector = is_form(left, TypeForm::vector);
     const bool right_vector = is_form(right, TypeForm::vector);
-    // A vector is a column of n rows with one entry; the product of two vectors is the dot product.
+    // A vector is a column of n rows with one entry. The product of two vectors is the dot product.
     const bool column_first = left_vector && !right_vector;
     if (!sizes_match(column_first ? 1 : left->sizes.back(), right->sizes.front())) return nullptr;
     if (left_vector && right_vector) return element;

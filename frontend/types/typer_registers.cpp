@@ -34,8 +34,8 @@ TypePtr Typer::type_register(Expr& expr, Surroundings& around) {
     return read_register(expr, around);
 }
 
-/// Types a read of a register: `$e` is true if the register of the event e contains a value, and `$x` is the value of
-/// the variable x.
+/// Computes the type of a read of a register: `$e` is true if the register of the event e contains a value, and `$x` is
+/// the value of the variable x.
 TypePtr Typer::read_register(Expr& expr, Surroundings& around) {
     const TypePtr boolean = make_type(TypeForm::boolean);
     const Event* const input = find_in(around.registers->inputs.events, expr.name);

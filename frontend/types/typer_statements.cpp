@@ -237,8 +237,8 @@ void Typer::check_communication(Communication& communication, Surroundings& arou
     if (event != nullptr) check_communicated(communication, *event, around);
 }
 
-/// RoboTool checks compat(variable, event), which allows narrowing. This check also allows a wider variable, which is
-/// safer.
+/// Checks that the variable can store the values of the event. RoboTool checks compat(variable, event), which allows
+/// narrowing. This check also allows a wider variable, which is safer.
 void Typer::check_received(const Communication& communication, const Event& event) {
     const auto* variable = static_cast<const Variable*>(communication.variable_target);
     if (variable == nullptr || !variable->type || is_compatible(event.type, variable->type)) return;

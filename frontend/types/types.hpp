@@ -44,8 +44,8 @@ struct Type {
 
 /// Returns the type as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".
 [[nodiscard]] std::string to_string(const TypePtr&);
-/// The relation compat(from, to) of the type provider: true if a value of type `from` may be used where `to` is
-/// expected.
+/// True if a value of type `from` may be used where `to` is expected: the relation compat(from, to) of the type
+/// provider.
 [[nodiscard]] bool is_compatible(const TypePtr& from, const TypePtr& to);
 
 }  // namespace robochart::frontend

@@ -22,7 +22,7 @@ struct ReplacedData {
     std::string term;  ///< the term that the conditions read, as in "d - l"; "" if they read single values
     std::size_t classes = 0;
     std::size_t conditions = 0;
-    /// The classes contain all values of the type; otherwise they contain only the values that occur.
+    /// True if the classes contain all values of the type. Otherwise they contain only the values that occur.
     bool all_values = false;
     bool nothing_tested = false;  ///< no condition reads the values
 };

@@ -73,7 +73,7 @@ LinearReader::Forms LinearReader::read_multiple(const Expr& expr) const {
     return std::nullopt;
 }
 
-/// The recursion is as deep as the expression.
+/// See linear_form.hpp. The recursion is as deep as the expression.
 LinearReader::Forms LinearReader::read(const Expr& expr) const {
     if (const auto closed = read_closed(expr)) return std::set{*closed};
     const bool natural = system_.type(expr.type).kind == TypeKind::nat;

@@ -15,7 +15,8 @@
 
 namespace robochart::ir {
 
-/// The value of an expression without variables, in units of the sampling scale; no value if the expression has none.
+/// Returns the value of an expression without variables, in units of the sampling scale, or no value if it is
+/// undefined.
 using ClosedValue = std::function<std::optional<Value>(const Expr&)>;
 
 /// The sum of coefficient times component, plus the constant. Numbers are in units of the sampling scale. Constants

@@ -41,7 +41,7 @@ struct ExploredValues {
     std::size_t written = 0;  ///< the number of values, from the first on, that the model writes itself
 };
 
-/// A comparison in a condition of the model. It reads one value; its other operands are literals and constants.
+/// A comparison in a condition of the model. It reads one value. Its other operands are literals and constants.
 struct ModelComparison {
     TypeId type;                                    ///< the type of the value, one of ValueModel::types
     const Expr* expr = nullptr;                     ///< the comparison in the system of the model

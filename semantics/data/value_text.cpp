@@ -37,7 +37,7 @@ std::string string_text(const Value& value) {
 
 }  // namespace
 
-/// The recursion is as deep as the type.
+/// See value_text.hpp. The recursion is as deep as the type.
 std::string value_text(const System& system, std::int64_t scale, TypeId id, const Value& value) {
     const Type& type = system.type(id);
     std::vector<std::string> parts;

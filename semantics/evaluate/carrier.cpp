@@ -290,7 +290,7 @@ Value default_value(const System& system, const Instantiation& instantiation, Ty
             return filled_vector(type.sizes.at(0), filled_vector(type.sizes.at(1), default_value(system, instantiation,
                                                                                                  type.args.at(0))));
         case TypeKind::function: {
-            // A total function maps every argument; the default function maps all to the default of the result type.
+            // The default value of a total function maps every argument to the default value of the result type.
             const Value image = default_value(system, instantiation, type.args.at(1));
             for (const Value& argument : carrier_values(system, instantiation, type.args.at(0)))
                 value.parts.push_back({0, {argument, image}});

@@ -35,7 +35,7 @@ struct Range {
     [[nodiscard]] bool has(std::int64_t value) const { return low <= value && value <= high; }
 };
 
-/// The ranges of nat, int and real, in this order; each type can be used as the next.
+/// The ranges of nat, int and real, in this order. Values of each type can be used as values of the next type.
 struct Ranges {
     std::array<Range, 3> by_type{Range{0, 2, false}, Range{-2, 2, false}, Range{-2, 2, false}};
     static constexpr std::array<const char*, 3> names{"nat", "int", "real"};

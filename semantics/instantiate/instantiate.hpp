@@ -43,9 +43,9 @@ enum class Carriers {
 [[nodiscard]] std::optional<Value> evaluate_constant(const System&, const Instantiation&, const Machine*, const Expr&);
 /// RoboSim: returns the length of the cycles of a machine, controller or module, in time units.
 [[nodiscard]] std::int64_t cycle_of(const System&, const Instantiation&, const ComponentRef&);
-/// Returns the values of a machine's constants by ConstantId. `part` names the machine in a controller of a module (see
-/// constant_source in query.hpp); if it is null, the machine is not in a controller. A constant without a value has the
-/// default value of its type.
+/// Returns the values of a machine's constants by ConstantId. If the controller is null, the machine is not in a
+/// controller. Otherwise `part` is its name in the controller (see constant_source in query.hpp). A constant without a
+/// value has the default value of its type.
 [[nodiscard]] std::vector<Value> constant_values(const System&, const Instantiation&, const Module*, const Controller*,
                                                  const std::string& part, const Machine&);
 /// Returns the largest whole number with which a clock is compared, plus 1. This includes comparisons in operations

@@ -74,7 +74,7 @@ enum class TypeKind {
     unit
 };
 
-/// A type; equal types have one TypeId.
+/// A type. Equal types have the same TypeId.
 struct Type {
     TypeKind kind = TypeKind::unit;
     std::string name;                               ///< RoboChart name ("nat", "Light"); composed types: as written
@@ -212,7 +212,7 @@ enum class StmtKind {
 struct Stmt;
 using StmtPtr = std::shared_ptr<const Stmt>;
 
-/// A statement of a structured program. `point` is its number among the statements of the machine; these are numbered
+/// A statement of a structured program. `point` is its number among the statements of the machine, which are numbered
 /// from 0 without gaps.
 struct Stmt {
     StmtKind kind = StmtKind::skip;
@@ -469,8 +469,8 @@ struct Function {
 
 // ---------------------------------------------------------------- properties (from .assertions)
 
-/// The kind of component that an assertion names. A `process` is defined by a CSP block; a `simulation` is one of
-/// RoboSim.
+/// The kind of component that an assertion names. A CSP block defines a `process`, and RoboSim has the kind
+/// `simulation`.
 enum class ComponentKind { module, controller, machine, operation, simulation, process };
 
 /// A component named in an assertion, with references resolved.

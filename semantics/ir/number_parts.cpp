@@ -40,7 +40,7 @@ bool is_number_sequence(const System& system, TypeId type) {
     return whole.kind == TypeKind::sequence && is_number(system.type(whole.args.at(0)).kind);
 }
 
-/// The recursion is as deep as the type.
+/// See number_parts.hpp. The recursion is as deep as the type.
 bool has_numbers(const System& system, TypeId id) {
     const Type& type = system.type(id);
     switch (type.kind) {

@@ -28,24 +28,24 @@ ExprPtr negate_guard(const ExprPtr& part) {
     return part ? make_boolean_expression(*part, ExprKind::logical_not, {part}) : nullptr;
 }
 
-/// Null means true.
+/// Returns the conjunction of upper bounds. Null means true.
 ExprPtr upper_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
     return make_boolean_expression(whole, ExprKind::conjunction, {left, right});
 }
 
-/// Null means true.
+/// Returns the disjunction of upper bounds. Null means true.
 ExprPtr upper_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     return left && right ? make_boolean_expression(whole, ExprKind::disjunction, {left, right}) : nullptr;
 }
 
-/// Null means false.
+/// Returns the disjunction of lower bounds. Null means false.
 ExprPtr lower_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
     return make_boolean_expression(whole, ExprKind::disjunction, {left, right});
 }
 
-/// Null means false.
+/// Returns the conjunction of lower bounds. Null means false.
 ExprPtr lower_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     return left && right ? make_boolean_expression(whole, ExprKind::conjunction, {left, right}) : nullptr;
 }

@@ -242,8 +242,8 @@ ExprPtr Expressions::lower_transpose(const ast::Expr& source) {
 
 namespace {
 
-/// Returns the text between the quotes. A backslash escapes the next character; `n` then denotes a line end and `t` a
-/// tabulator.
+/// Returns the text between the quotes. A backslash escapes the next character. An escaped `n` denotes a line end, and
+/// an escaped `t` a tabulator.
 std::string remove_quotes(const std::string& written) {
     std::string text;
     for (std::size_t i = 1; i + 1 < written.size(); ++i) {

@@ -25,7 +25,7 @@ FoundComponent controller_at(const Lowering& lowering, std::uint32_t index) {
     return found;
 }
 
-/// RoboTool names the process of an operation OP_name.
+/// Returns the name of the machine's process. RoboTool names the process of an operation OP_name.
 std::string process_name(const Machine& machine) {
     return machine.kind == MachineKind::operation ? "OP_" + machine.name : machine.name;
 }

@@ -113,7 +113,7 @@ Stmt Programs::start_statement(const ast::Stmt& source, StmtKind kind) {
     return stmt;
 }
 
-/// Handles `if` and statements in parentheses; parentheses are dropped.
+/// Lowers a statement. Parentheses are dropped.
 StmtPtr Programs::lower(const ast::Stmt& source) {
     const ast::Stmt* inner = &source;
     while (inner->kind == ast::StmtKind::parenthesised && !inner->body.empty() && inner->body[0])

@@ -121,7 +121,7 @@ std::vector<Branch> cycle_branches(MachineTables& tables, const Activation& conf
         if (auto branch = head_branch(tables, running, alone)) result.push_back(std::move(*branch));
     // an operation that is checked separately may require variables of its caller
     for (Branch& write : external_writes(tables, config, now)) result.push_back(std::move(write));
-    // the cycle process of a machine lets no time pass here; an operation that is checked separately has no such
+    // a machine's process of the cycle lets no time pass here, but an operation that is checked separately has no such
     // process
     if (tables.machine().kind == ir::MachineKind::operation && !is_urgent(tables, now))
         result.push_back(tock_branch(tables, config, now));

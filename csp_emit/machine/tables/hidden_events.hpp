@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names the hidden events of a machine: its steps, and its transitions without a trigger.
+// Chooses the names of a machine's hidden events: its steps, and its transitions without a trigger.
 #pragma once
 
 #include <map>

@@ -22,7 +22,7 @@ struct Part {
     std::vector<std::size_t> boxes, edges;
 };
 
-/// Disjoint sets of boxes; each set is represented by its first box.
+/// Disjoint sets of boxes. The first box represents its set.
 class Partition {
 public:
     explicit Partition(std::size_t boxes) : parent_(boxes) { std::iota(parent_.begin(), parent_.end(), 0); }

@@ -82,7 +82,7 @@ struct PlacedEdge {
     std::vector<std::size_t> ranks;  ///< its index in each layer that it passes, first layer first
 };
 
-/// The layout of a level; everything is between (0, 0) and `size`.
+/// The layout of a level. Everything is between (0, 0) and `size`.
 struct Placement {
     Size size;
     std::vector<PlacedBox> boxes;

@@ -24,7 +24,7 @@ struct Memory {
     std::map<std::string, LevelMemory> levels;
 };
 
-/// The names of the boxes and edges of a level; equal names are numbered.
+/// The names of the boxes and edges of a level. Equal names are numbered.
 struct LevelNames {
     std::string path;
     std::vector<std::string> boxes, edges;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See aird.hpp. Expat reports elements one after another; the relevant ones are stored directly.
+// See aird.hpp. Expat reports the elements one after the other, and the relevant ones are stored at once.
 #include "frontend/diagrams/stored/aird.hpp"
 
 #include <expat.h>

@@ -38,7 +38,7 @@ class StoredDiagrams {
 public:
     /// Contains no diagrams.
     StoredDiagrams() = default;
-    /// Reads the diagrams as `read` does, but reports no findings; for servers.
+    /// Reads the diagrams as `read` does, but reports no findings. Servers use this constructor.
     StoredDiagrams(const frontend::Model& model, const diagnostics::SourceManager& sources, AirdFiles& files,
                    diagnostics::Budget* budget);
 
