@@ -133,8 +133,8 @@ ExprPtr Definer::parts_process(const std::string& variant) const {
     return joined.empty() ? result : b::hide(result, b::productions(joined));
 }
 
-/// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, and the last relay continues as
-/// Memory. A write of x is passed on to all parts that have x, one after the other, including the writer.
+/// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, and the last of these processes
+/// continues as Memory. A write of x is passed on to all parts that have x, one after the other, including the writer.
 void Definer::define_propagation(const SharedVariable& variable) {
     std::vector<std::size_t> readers;
     for (std::size_t i = 0; i < c_.parts.size(); ++i)

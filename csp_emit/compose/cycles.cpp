@@ -398,7 +398,7 @@ ExprPtr CycleDefiner::whole(const std::string& variant) const {
             sync.push_back(b::name("emptied__"));
             hidden.push_back(b::name("emptied__"));
         }
-        // all events between parts are emptied at once
+        // the registers of all events between parts are emptied at once
         ExprPtr memory = memories.back();
         for (std::size_t i = memories.size() - 1; i-- > 0;) {
             const bool both =

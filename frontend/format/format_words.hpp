@@ -16,7 +16,7 @@ struct Piece {
     diagnostics::Span span;
     std::size_t lines;      ///< number of line ends before the piece, at most 2
     bool to_line_end;       ///< the comment ends at the end of its line: `// …`
-    bool is_token = false;  ///< the token itself
+    bool is_token = false;  ///< true for the token, false for a comment
 };
 
 /// Reads a text from its beginning. The text and the tokens must outlive the reader.
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] bool is_untouched() const { return at_ == 0 && comment_ == 0; }
     /// Returns the number of line ends between the last piece read and the next token, at most 2.
     [[nodiscard]] std::size_t lines_before() const { return line_ends(previous_end_, peek().span.begin); }
-    /// Returns the comments before the next token, and the piece is the token. Marks the comments as read.
+    /// Returns the comments before the next token, and the token itself. Marks the comments as read.
     [[nodiscard]] std::vector<Piece> take_comments();
     /// Marks the comments before an offset as read.
     void skip_comments(std::size_t offset);

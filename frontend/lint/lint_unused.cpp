@@ -16,7 +16,7 @@ namespace {
 
 struct Use {
     std::size_t reads = 0;
-    std::size_t others = 0;            ///< inputs that it stores, resets, communications, connections
+    std::size_t others = 0;            ///< stored inputs, resets, communications, connections
     const Stmt* assignment = nullptr;  ///< the first assignment
     Span reset;                        ///< the first reset of the clock
 };

@@ -43,8 +43,8 @@ std::vector<std::vector<Value>> values_in_contexts(const System& system, const I
     return {found.begin(), found.end()};
 }
 
-/// True if the value depends on the carriers of types, which are finite: quantifiers, functions of the model, and some
-/// functions of the toolkits.
+/// True if the value depends on the finite carriers of types. This is the case for quantifiers, functions of the model,
+/// and some functions of the toolkits.
 bool depends_on_carriers(const Expr& root) {
     bool result = false;
     visit_operands(root, [&](const Expr& expr) {

@@ -331,7 +331,8 @@ void Properties::lower_assertions() {
 
 namespace {
 
-/// Reports RC-S19 for a claim that gives a value to one of several instances from which an operation requires it.
+/// Reports RC-S19 for a claim that sets a constant in only one of several instances from which an operation requires
+/// the constant.
 void check_shared_constants(const Lowering& lowering) {
     const std::vector<SharedConstant> all = shared_constants(lowering.system);
     for (const Property& property : lowering.system.properties)

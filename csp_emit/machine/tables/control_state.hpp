@@ -21,7 +21,7 @@ enum class ItemKind {
     store,         ///< write the received value in `cells[0]` to a variable
     waiting,       ///< a wait with `cells[0]` remaining units
     deadline_end,  ///< leaves the scope of a deadline that `cells[0]` counts
-    left,          ///< leaves a node: a hidden step, until which others may write shared variables
+    left,          ///< leaves a node: a hidden step, before which other components may write shared variables
     shown,         ///< leaves a state, if the machine shows that the state is left (shown.hpp): a hidden step
     enter,         ///< enter a node
     entered,       ///< a state has been entered
