@@ -36,8 +36,8 @@ struct CycleLinks {
     std::vector<Registers> parts;
     Registers registers;
     std::vector<Register> also_named;                            ///< outputs that occur only in the type of outputs
-    std::map<std::string, std::vector<RegisterOfPart>> inputs;   ///< by input of the composition
-    std::map<std::string, std::vector<RegisterOfPart>> outputs;  ///< by output of the composition
+    std::map<std::string, std::vector<RegisterOfPart>> inputs;   ///< by the composition's input
+    std::map<std::string, std::vector<RegisterOfPart>> outputs;  ///< by the composition's output
     std::vector<InnerRegister> inner;
 };
 

@@ -183,7 +183,8 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
         entered.push_back(b::name(tables_.machine().nodes[state.index].path + "::entered"));
     for (const ExprPtr& channel : visible) {
         const bool register_channel = channel->text == "registerRead" || channel->text == "registerWrite";
-        const bool replaced = tables_.machine().robosim && register_channel;  // by its constructors
+        // The constructors of a register channel replace the channel.
+        const bool replaced = tables_.machine().robosim && register_channel;
         if (channel->kind == cspm::ExprKind::name && !replaced) visible_.push_back(channel->text);
     }
     decls.push_back(b::value("sem__events", b::productions(visible)));

@@ -32,7 +32,7 @@ private:
     Offer make_offer(const RunningThread&);
 
     const MachineTables& tables_;
-    std::map<std::pair<std::uint32_t, std::string>, Offer> offers_;  ///< by frame
+    std::map<std::pair<std::uint32_t, std::string>, Offer> offers_;  ///< by frame and key of the element
 };
 
 }  // namespace robochart::csp_emit

@@ -59,10 +59,10 @@ private:
                                  ///< such names
     FamilyIndex index_;
     std::unordered_map<std::string, std::size_t> number_;  ///< index of each candidate; never iterated
-    std::vector<Names> used_;                              ///< by function; last: the initial process
+    std::vector<Names> used_;                              ///< by function, then the initial process
     std::vector<Call> calls_;
     std::map<const Expr*, std::size_t> call_of_;
-    std::vector<std::vector<std::size_t>> calls_to_;    ///< by function
+    std::vector<std::vector<std::size_t>> calls_to_;    ///< by function: the calls of it
     std::vector<std::vector<std::size_t>> calls_over_;  ///< by function: the calls after which it continues
     std::set<std::size_t> returning_;                   ///< functions that continue after calls
     Live live_, within_;                                ///< live; live before the current operation returns

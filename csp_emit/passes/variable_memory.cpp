@@ -60,7 +60,7 @@ private:
     std::map<std::string, const Remembered*> variables_;
     FamilyIndex index_;
     std::vector<std::set<std::string>> held_;
-    std::vector<std::vector<Parameter>> parameters_;  ///< by function
+    std::vector<std::vector<Parameter>> parameters_;  ///< the parameters of each function
 };
 
 Memories::Memories(const std::vector<Function>& functions, const FamilyCalls& calls,

@@ -46,7 +46,7 @@ private:
         std::set<std::string> names;
     };
     struct Use {
-        std::set<std::string> names;  ///< outside calls of the family
+        std::set<std::string> names;  ///< names that occur outside calls of the family
         std::vector<Changed> changed;
     };
     void survey_expression(const cspm::Expr& expr, Use& use) const;
@@ -56,7 +56,8 @@ private:
     const std::vector<Function>& functions_;
     const std::set<std::string>& parameters_;
     FamilyIndex index_;
-    std::vector<std::vector<bool>> selected_;  ///< for each function and parameter of it: is it in `parameters_`?
+    /// For each function and parameter: true if the parameter is in `parameters_`.
+    std::vector<std::vector<bool>> selected_;
     std::vector<Use> uses_;
 };
 

@@ -682,8 +682,8 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     const ComponentProcesses* component_ = nullptr;
     std::map<std::string, Port> ports_;
-    std::map<std::string, std::string> operations_;  // by name: the channel
-    std::map<std::string, SwarmMotion> driven_;      // by channel
+    std::map<std::string, std::string> operations_;  // the channels of operations, by name
+    std::map<std::string, SwarmMotion> driven_;      // the motions, by channel
     std::size_t feeds_ = 0;
     std::vector<std::string> own_;                              // channels between one robot and its world
     std::vector<std::string> settled_;                          // channels of own_ that report that no turn is in

@@ -15,7 +15,7 @@ namespace {
 using diagnostics::Span;
 
 constexpr std::uint32_t most_robots = 8;
-constexpr std::uint32_t most_cells = 64;  // in each direction
+constexpr std::uint32_t most_cells = 64;  // limit on cells in each direction
 constexpr int deepest_condition = 50;
 constexpr std::size_t most_conditions = 1'000;  // limit for all claims together
 

@@ -42,8 +42,8 @@ struct ValueClasses {
 
 /// The division of all flow classes. The least place of a flow class identifies it.
 struct DividedData {
-    std::map<PlaceId, ValueClasses> classes;  ///< for flow classes whose values can be replaced
-    std::map<PlaceId, Keep> kept;             ///< for all other flow classes
+    std::map<PlaceId, ValueClasses> classes;  ///< the classes of flow classes whose values can be replaced
+    std::map<PlaceId, Keep> kept;             ///< the reasons why all other flow classes keep their values
 };
 
 /// Returns the classes of every flow class whose values can be replaced by classes (docs/data.md). The class model is

@@ -23,7 +23,7 @@ using ClosedValue = std::function<std::optional<Value>(const Expr&)>;
 /// stay below 2^56 and coefficients below 2^20, so that sums of three products, and determinants of three rows (sums of
 /// six products), fit into 128 bits.
 struct LinearForm {
-    std::map<std::size_t, std::int64_t> coefficients;  ///< by the number of the component; no coefficient is 0
+    std::map<std::size_t, std::int64_t> coefficients;  ///< by the index of the component; no coefficient is 0
     std::int64_t constant = 0;
     friend auto operator<=>(const LinearForm&, const LinearForm&) = default;
 };

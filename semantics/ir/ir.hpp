@@ -531,7 +531,7 @@ struct Simulation {
     std::string name;
     ComponentRef subject;
     Constant cycle;                            ///< cycle_length
-    std::vector<std::string> inputs, outputs;  ///< of a machine: the names in the contexts
+    std::vector<std::string> inputs, outputs;  ///< the names in the contexts of a machine
     Origin origin;
 };
 
@@ -552,7 +552,7 @@ struct System {
     std::vector<Machine> machines;  ///< state machines and operations, in textual order of files sorted by path
     std::vector<Controller> controllers;
     std::vector<Module> modules;
-    std::vector<Property> properties;  ///< by the paths of their files, then in textual order
+    std::vector<Property> properties;  ///< in the order of the paths of their files, then in textual order
     std::vector<CspBlock> csp_blocks;
     std::vector<Simulation> simulations;  ///< RoboSim, by the paths of their files, then in textual order
 

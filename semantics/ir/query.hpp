@@ -55,7 +55,7 @@ struct SharedConstant {
     const Controller* controller = nullptr;
     const Machine* operation = nullptr;
     std::string constant;
-    std::vector<ConstantSource> sources;  ///< at least two
+    std::vector<ConstantSource> sources;  ///< at least two sources
     /// True if all sources are one constant of one machine that runs several times. They have one value unless an
     /// option or assertion sets one of them. If the result is false, lowering rejects the model.
     [[nodiscard]] bool is_one_constant() const;

@@ -169,7 +169,7 @@ TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& 
             lowering.report_unsupported("type " + declaration.name + ", which contains itself", where);
         return known->second.is_valid() ? known->second : nat_type;
     }
-    lowering.declared_types[&declaration] = TypeId{};  // in progress
+    lowering.declared_types[&declaration] = TypeId{};  // the type is in progress
     Type type;
     type.kind = kind_of(declaration);
     type.name = declaration.name;

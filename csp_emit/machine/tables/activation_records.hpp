@@ -25,10 +25,10 @@ struct Frame {
     std::vector<std::optional<CellId>> clocks;  ///< by ClockId; no cell if nothing reads the clock
     std::optional<ir::ClockId> watched;         ///< the clock MachineContext::watched
     std::vector<std::string> announced;         ///< by ClockId: CLID_C if a reset is an event; otherwise empty
-    std::vector<cspm::ExprPtr> constants;       ///< by ConstantId
+    std::vector<cspm::ExprPtr> constants;       ///< by ConstantId: the value
     std::vector<std::string> events;            ///< by EventId: the channel of the event
     std::vector<CellId> own;                    ///< cells whose lifetime is that of the frame
-    std::map<std::uint32_t, CellId> monitors;   ///< by TransitionId: deadlines of transitions
+    std::map<std::uint32_t, CellId> monitors;   ///< by TransitionId: the counter of the deadline
 };
 
 /// Owns the frames: number 0 is the machine, the others are called operations.

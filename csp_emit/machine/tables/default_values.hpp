@@ -21,7 +21,7 @@ public:
 
 private:
     const Project& project_;
-    std::map<std::uint32_t, cspm::ExprPtr> known_;  ///< by TypeId
+    std::map<std::uint32_t, cspm::ExprPtr> known_;  ///< by TypeId: the value
     std::vector<cspm::DeclPtr> declarations_;
 };
 

@@ -44,7 +44,7 @@ private:
 
     MachineContext& context_;
     const ActivationRecords& frames_;
-    std::map<std::string, std::size_t> number_;  ///< by key of the configuration
+    std::map<std::string, std::size_t> number_;  ///< the point's number, by the key of the configuration
     std::vector<Point> points_;
     std::size_t passed_ = 0;  ///< number of arguments of all calls
     bool overflow_ = false;

@@ -16,7 +16,7 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-constexpr double inset = 5;  ///< between the border of a level and its contents
+constexpr double inset = 5;  ///< distance between the border of a level and its contents
 constexpr double apart = 8;  ///< distance between boxes that were drawn closer to each other, or that have grown
 
 /// Returns the point in the middle of a line.

@@ -38,7 +38,7 @@ struct Box {
     bool on_border = false;  ///< true if the box is only a port on the border of the enclosing box
     std::vector<Port> ports;
     double port_start = 0;         ///< ports are below this distance from the top
-    std::optional<Rank> previous;  ///< in the layout before an edit
+    std::optional<Rank> previous;  ///< its position in the layout before an edit
 };
 
 /// An edge from a box to a box, which may be the same.

@@ -19,7 +19,7 @@ using layout::Size;
 namespace {
 
 constexpr double circle = 24;
-constexpr double inset = 12;  ///< between the border of a composite state and its nodes
+constexpr double inset = 12;  ///< distance between the border of a composite state and its nodes
 constexpr layout::LineLimits label_limits{34, 6};
 constexpr layout::LineLimits action_limits{44, 6};
 

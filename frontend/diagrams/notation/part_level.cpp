@@ -19,7 +19,7 @@ using layout::Size;
 
 namespace {
 
-constexpr double component_inset = 22;  ///< between the border of the component and its contents
+constexpr double component_inset = 22;  ///< distance between the border of the component and its contents
 
 Icon icon_of(DeclKind kind) {
     if (kind == DeclKind::platform) return Icon::platform;
