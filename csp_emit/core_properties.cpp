@@ -90,7 +90,8 @@ private:
         }
     }
 
-    /// Adds reachability of the states of all machines in the component, in the component's context.
+    /// Adds the reachability of the states of all machines in the component. The machines run in the context of the
+    /// component.
     void add_states() {
         const ExprPtr visible = default_process(project_, path_, component_, "VS__");
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {

@@ -50,7 +50,7 @@ public:
     /// neighbouring projects may use the same names. Components of the place's dialect are preferred to those of the
     /// other dialect.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
-    /// Returns all declarations with a full name.
+    /// Returns all declarations with this full name.
     [[nodiscard]] const std::vector<const Declaration*>& declarations_of(const std::string& full_name) const;
     /// Returns the simple names of all declarations of these kinds, for suggestions.
     [[nodiscard]] std::vector<std::string> names_of_kinds(const Kinds& kinds) const;

@@ -298,7 +298,7 @@ Branch statement_branch(MachineTables& tables, const RunningThread& running, boo
     const bool steady = is_stable(tables, frame, stmt, alone) && !reads_in_turn(tables, running, stmt);
     if (!steady) return freeze_values(tables, running, stmt);
     Branch result = event_of(tables, running, values_read(tables, frame, stmt));
-    // `pre & process` for the functions that the statement uses.
+    // Adds `pre &` for the preconditions of the functions that the statement uses.
     if (const b::Exprs conditions = function_preconditions(tables, frame, stmt, {}); !conditions.empty())
         result.guard = b::all_of(conditions);
     return result;
