@@ -94,8 +94,8 @@ ExprPtr WatchedCopy::only_event(const std::string& event, const std::vector<Expr
 
 namespace {
 
-/// The channels on which operations that the surrounding component defines call the platform. They do not belong to the
-/// machine, and the copy is outside that component.
+/// Declares the channels on which operations of the surrounding component call the platform. These channels do not
+/// belong to the machine, and the copy is outside of the component.
 std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& path) {
     std::vector<DeclPtr> result;
     const std::size_t end = path.rfind("::");
@@ -111,7 +111,7 @@ std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& 
     return result;
 }
 
-/// The copy of the machine at `path`; the caller has set in `context` what the copy observes.
+/// Returns the copy of the machine at `path`. The caller has set in `context` what the copy observes.
 WatchedCopy watched_copy(const Project& project, NameManager& names, Emitted& emitted, const std::string& path,
                          const std::string& name, MachineContext context) {
     const ComponentEmission& machine = emitted.components.at(path);

@@ -11,25 +11,27 @@
 
 namespace robochart::csp_emit {
 
-/// `P :[deadlock free]`, which counts a terminated process as deadlocked. Timed, with Ev = Events \ {tock, tock'}:
-///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock} is divergence-free.
+/// Asserts `P :[deadlock free]`, which counts a terminated process as deadlocked. In the timed semantics, with
+/// Ev = Events \ {tock, tock'}, asserts that the following process is divergence-free:
+///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock}
 /// A hidden tock is performed only if P offers no other event than tock'. So a divergence is a run in which, from some
 /// point on, time passes forever and P offers nothing else.
 [[nodiscard]] cspm::DeclPtr deadlock_free(const cspm::ExprPtr& process, bool timed, cspm::Model, bool negated = false);
-/// `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`: every stable state of P accepts tock.
+/// Asserts `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`: every stable state of P accepts tock.
 [[nodiscard]] cspm::DeclPtr timelock_free(const cspm::ExprPtr& process, bool negated = false);
-/// `STOP [T= (P; r__ -> STOP) |\ {r__}`: no ✓ is reachable, because r__ would follow it.
+/// Asserts `STOP [T= (P; r__ -> STOP) |\ {r__}`: no ✓ is reachable, because r__ would follow it.
 [[nodiscard]] cspm::DeclPtr never_terminates(const cspm::ExprPtr& process);
-/// `P; RUN({event})`: after P has terminated, `event` stays possible forever.
+/// Returns `P; RUN({event})`: after P has terminated, `event` stays possible forever.
 [[nodiscard]] cspm::ExprPtr running_on(const cspm::ExprPtr& process, const std::string& event);
-/// `SKIP [T= P`: P performs no event except ✓; negated: it performs one. RoboTool's specification is STOP, which also
-/// forbids ✓, so that every state of a terminating machine seems reachable.
+/// Asserts `SKIP [T= P`: P performs no event except ✓. The negation means that it performs one. RoboTool's
+/// specification is STOP, which also forbids ✓, so that every state of a terminating machine seems reachable.
 [[nodiscard]] cspm::DeclPtr never_performs(const cspm::ExprPtr& process, bool negated);
 
-/// The effects of a component on its platform: its calls, outputs, and writes of variables that others share.
+/// Returns the effects of a component on its platform: its calls, outputs, and writes of variables that others share.
 [[nodiscard]] std::vector<cspm::ExprPtr> outputs_of(const Provenance&, const std::string& path);
 
-/// RoboSim: the channels of the registers of a component, and the end of its execution. Empty for other components.
+/// RoboSim: returns the channels of the registers of a component, and the end of its execution. The result is empty for
+/// other components.
 [[nodiscard]] std::vector<cspm::ExprPtr> cycle_events_of(const Provenance&, const std::string& path);
 
 /// A copy of a machine that an assertion watches.
@@ -40,21 +42,21 @@ struct WatchedCopy {
 
     [[nodiscard]] cspm::ExprPtr copy_process(const std::vector<cspm::ExprPtr>& arguments) const;
     [[nodiscard]] std::string event_of_copy(const std::string& own) const { return name + "::" + own; }
-    /// The copy with these arguments, in which all events except one are hidden.
+    /// Returns the copy with these arguments, in which all events except one are hidden.
     [[nodiscard]] cspm::ExprPtr only_event(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
 };
-/// A copy that performs `unset__` when a guard reads the clock before its first reset, and `reset__` at a reset.
-/// `machine` is the path of an emitted machine. The module's name ends in `purpose`. The function adds the meaning of
-/// the copy's names to the provenance of `emitted`.
+/// Returns a copy that performs `unset__` when a guard reads the clock before its first reset, and `reset__` at a
+/// reset. `machine` is the path of an emitted machine. The module's name ends in `purpose`. The function adds the
+/// meaning of the copy's names to the provenance of `emitted`.
 [[nodiscard]] WatchedCopy clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& clock, const std::string& purpose);
-/// A copy of a machine that shows whether it is in `state` when it offers an event (MachineContext::offered). If
-/// `state` is null, the copy counts as inside everywhere except at the machine's end.
+/// Returns a copy of a machine that shows whether it is in `state` when it offers an event (MachineContext::offered).
+/// If `state` is null, the machine counts as inside until it ends.
 [[nodiscard]] WatchedCopy offer_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& event, const ir::Node* state, const std::string& purpose);
-/// A process that performs `missed__` if and only if `event` can be missed for `units` time units by a copy with these
-/// arguments. `name` is the name of a function that is added to `preparation`. Let W be the copy and O its calls,
-/// outputs and writes:
+/// Returns a process that performs `missed__` if and only if `event` can be missed for `units` time units by a copy
+/// with these arguments. `name` is the name of a function that is added to `preparation`. Let W be the copy and O its
+/// calls, outputs and writes:
 ///     L = prioritise(prioritise(W[[inside__ <- inside__, inside__ <- refused__]], <O, {tock}>), <{| E.in |},
 ///     {refused__}>)
 /// L lets no time pass while the platform could accept an event of O, and performs `refused__` only if W is inside and

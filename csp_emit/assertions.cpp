@@ -45,8 +45,8 @@ std::string wording_of(const ir::Property& property) {
     return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
 }
 
-/// The text for a claim that fails without a counterexample, such as the negation of deadlock freedom. It states what
-/// is true instead.
+/// Returns the text for a claim that fails without a counterexample, such as the negation of deadlock freedom. The text
+/// states what is true instead.
 std::string opposite_claim(const ir::Property& property) {
     switch (property.kind) {
         case PropertyKind::deadlock_free:
@@ -127,14 +127,14 @@ const ComponentEmission* Asserter::find_component(const ir::ComponentRef& ref) c
     return found == emitted_.components.end() ? nullptr : &found->second;
 }
 
-/// The value that the assertion gives to one of these names; null if it gives none.
+/// Returns the value that the assertion gives to one of these names, or null if it gives none.
 ExprPtr Asserter::find_argument(const std::vector<std::string>& names, const ir::Property& property) const {
     for (const auto& [name, given] : property.constants)
         if (std::ranges::find(names, name) != names.end()) return translate_expression(project_, {}, *given);
     return nullptr;
 }
 
-/// The name of the machine's own constant if the parameter is for a part's constant; otherwise "".
+/// Returns the name of the machine's own constant if the parameter is for the constant of a part, or "" otherwise.
 std::string Asserter::own_name(const ConstantParameter& constant) const {
     const auto found = own_.find(constant.source);
     return found == own_.end() ? "" : found->second;
@@ -152,7 +152,7 @@ bool Asserter::takes_constant(const ir::ComponentRef& ref, const std::string& co
                                [&](const ArgumentParameter& argument) { return argument.name == constant; });
 }
 
-/// Reports RC-C08 for constants that the assertion sets and neither of its components has. A property that is checked
+/// Reports RC-C08 for constants that the assertion sets but neither of its components has. A property that is checked
 /// in both semantics is reported once.
 void Asserter::report_unused(const ir::Property& property) const {
     if (timed() && property.untimed) return;
@@ -162,7 +162,7 @@ void Asserter::report_unused(const ir::Property& property) const {
             project_.diagnostics.report(rules::constant_without_use, property.origin.span, {property.name, name});
 }
 
-/// The script's name for a process of a CSP block, or for a definition of that process such as its alphabet.
+/// Returns the script's name for a process of a CSP block, or for a definition of that process such as its alphabet.
 std::string Asserter::name_of(const ir::ComponentRef& process, const std::string& ending) const {
     const std::string name = process.path + ending;
     if (process.definition >= project_.system.csp_blocks.size()) return name;
@@ -172,7 +172,7 @@ std::string Asserter::name_of(const ir::ComponentRef& process, const std::string
     return changed == names->second.end() ? name : changed->second;
 }
 
-/// `P::X::D__(0, constants...)`; for a process of a CSP block its name.
+/// Returns `P::X::D__(0, constants...)` or, for a process of a CSP block, its name.
 ExprPtr Asserter::process_of(const ir::ComponentRef& ref, const ir::Property& property,
                              const std::string& variant) const {
     if (ref.kind == ir::ComponentKind::process) {
@@ -181,8 +181,8 @@ ExprPtr Asserter::process_of(const ir::ComponentRef& ref, const ir::Property& pr
     return b::call(path_of(ref) + "::" + variant, process_arguments(ref, property));
 }
 
-/// The arguments of a component's process: `0`, an operation's parameters, then the constants. The assertion's values
-/// take precedence over those of the instantiations.
+/// Returns the arguments of a component's process: `0`, an operation's parameters, then the constants. The assertion's
+/// values take precedence over those of the instantiations.
 b::Exprs Asserter::process_arguments(const ir::ComponentRef& ref, const ir::Property& property) const {
     const ComponentEmission* found = find_component(ref);
     b::Exprs arguments{b::number(0)};
@@ -205,16 +205,16 @@ std::vector<DeclPtr> Asserter::assert_unary(AssertionKind kind, const ExprPtr& p
     return {b::assert_property(process, kind, model, negated)};
 }
 
-/// `terminates`: not `P :[deadlock free]`, so some deadlock or ✓ is reachable, and
-/// `P; RUN({r__}) :[deadlock free]`, so every deadlock of P is a ✓.
+/// Writes `terminates`: not `P :[deadlock free]`, so some deadlock or ✓ is reachable, and `P; RUN({r__}) :[deadlock
+/// free]`, so every deadlock of P is a ✓.
 std::vector<DeclPtr> Asserter::assert_termination(const ExprPtr& process, cspm::Model model, bool negated) const {
     if (negated) return {never_terminates(process)};
     return {b::assert_property(process, AssertionKind::deadlock_free, model, true),
             b::assert_property(running_on(process, "r__"), AssertionKind::deadlock_free, model, false)};
 }
 
-/// Two components of the model are compared by the names of their events (csp-gen issue 91), so the events of one side
-/// are renamed.
+/// Renames the events of one side of a comparison, because two components are compared by the names of their events
+/// (csp-gen issue 91).
 ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const {
     const ComponentEmission* from = find_component(ref);
     const ComponentEmission* to = find_component(other);
@@ -231,8 +231,8 @@ ExprPtr Asserter::alphabet_of(const ir::ComponentRef& ref) const {
     return b::name(process ? name_of(ref, "__sem__events") : path_of(ref) + "::sem__events");
 }
 
-/// Explains that no CSP block of this semantics defines the alphabet of its process, and how to define it; "" if one
-/// does.
+/// Explains that no CSP block of this semantics defines the alphabet of its process, and how to define it. Returns ""
+/// if a block defines it.
 std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::ComponentRef& other) const {
     if (ref.kind != ir::ComponentKind::process) return "";
     const std::string alphabet = ref.path + "__sem__events";
@@ -248,7 +248,7 @@ std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::Co
         alphabet, ref.path, alphabet, between_blocks ? "{| P::E, P::F |}" : path_of(other) + "::sem__events");
 }
 
-/// The events of both sides, except events of the subject that are renamed to events of the other side.
+/// Returns the events of both sides, except events of the subject that are renamed to events of the other side.
 ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
     const ComponentEmission* from = find_component(property.subject);
     const ComponentEmission* to = find_component(property.other);
@@ -262,7 +262,7 @@ ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
                         : b::call("union", {alphabet_of(property.other), b::productions(rest)});
 }
 
-/// Adds an instance of the library's module for the events of both sides; returns its name.
+/// Adds an instance of the library's module for the events of both sides. Returns its name.
 std::string Asserter::model_shifting(const ir::Property& property, Obligation& out) {
     const std::string name = names_.unique_name("MS_" + flatten_name(property.name));
     out.preparation.push_back(b::instance(name, "model_shifting", {joint_alphabet(property)}));
@@ -271,9 +271,10 @@ std::string Asserter::model_shifting(const ir::Property& property, Obligation& o
     return name;
 }
 
-/// `X refines Y` is `Y [M= X`. `equals` is the refinement in both directions, and its negation means that one of them
-/// fails. In the tick-tock model, traces are compared after model shifting. A simulation has no `endexec` and no
-/// `terminate`, so these events are hidden in the process with which the simulation is compared.
+/// Writes one side of a refinement. `X refines Y` is `Y [M= X`. `equals` is the refinement in both directions, and its
+/// negation means that one of them fails. In the tick-tock model, traces are compared after model shifting. A
+/// simulation has no `endexec` and no `terminate`, so these events are hidden in the process with which the simulation
+/// is compared.
 ExprPtr Asserter::compared(const ir::ComponentRef& ref, const ir::ComponentRef& other,
                            const ir::Property& property) const {
     const ExprPtr process = process_of(ref, property, "D__");
@@ -283,7 +284,7 @@ ExprPtr Asserter::compared(const ir::ComponentRef& ref, const ir::ComponentRef& 
     for (const char* event : {"endexec", "terminate"})
         if (std::ranges::find(component->visible, event) != component->visible.end())
             hidden.push_back(b::name(path_of(ref) + "::" + event));
-    // termination, once hidden, has priority over time
+    // a hidden termination has priority over time
     return hidden.empty() ? process : maximal_progress(project_, b::hide(process, b::productions(hidden)));
 }
 
@@ -305,16 +306,17 @@ void Asserter::add_refinement(const ir::Property& property, Obligation& out) {
     if (property.negated) out.reason = "each of the two refines the other";
 }
 
-/// `S is reachable`: not `SKIP [T= P |\ {| S::entered |}`, that is, `entered` of S is in a trace of P. RoboTool asserts
-/// over VS_O__; VS__ is the same process before compression, so that a counterexample shows every step.
+/// Writes `S is reachable`: not `SKIP [T= P |\ {| S::entered |}`, that is, `entered` of S is in a trace of P.
+/// RoboTool's assertion uses VS_O__. This one uses VS__, the same process before compression, so that a counterexample
+/// shows every step.
 std::vector<DeclPtr> Asserter::assert_reachability(const ir::Property& property) const {
     const ExprPtr entered = b::name(path_of(property.subject) + "::" + property.state + "::entered");
     const ExprPtr only = b::project(process_of(property.subject, property, "VS__"), b::productions({entered}));
     return {never_performs(only, !property.negated)};
 }
 
-/// `clock C is initialised`: no guard reads C before its first reset, and some run resets it. With an instrumented copy
-/// W of the machine (clock_initialisation.cpp):
+/// Writes `clock C is initialised`: no guard reads C before its first reset, and some run resets it. With an
+/// instrumented copy W of the machine (clock_initialisation.cpp):
 ///     SKIP [T= W |\ {unset__}   and   not SKIP [T= W |\ {reset__}.
 void Asserter::add_initialisation(const ir::Property& property, Obligation& out) {
     const WatchedCopy watch =
@@ -327,9 +329,9 @@ void Asserter::add_initialisation(const ir::Property& property, Obligation& out)
     out.reason = property.negated ? "every read of it follows a reset" : "no run resets it";
 }
 
-/// `event E is missed in S for n time units`: while the machine is in S, n consecutive time units pass in which E is
-/// never offered; the platform accepts calls, outputs and writes at once. `is not missed` is SKIP [T= M |\ {missed__}
-/// (see `missing`).
+/// Writes `event E is missed in S for n time units`: while the machine is in S, n consecutive time units can pass in
+/// which E is never offered. The platform accepts calls, outputs and writes at once. `is not missed` is SKIP [T= M |\
+/// {missed__} (see `missing`).
 void Asserter::missed_event(const ir::Property& property, Obligation& out) {
     const ir::Node* state = nullptr;
     for (const ir::Node& node : find_component(property.subject)->machine->nodes)
@@ -354,7 +356,7 @@ void Asserter::missed_event(const ir::Property& property, Obligation& out) {
                                  property.event, times);
 }
 
-/// The reason why the property cannot be checked in its semantic model; "" if it can be checked.
+/// Returns the reason why the property cannot be checked in its semantic model, or "" if it can be checked.
 std::string Asserter::unavailable_model(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool of_traces = property.kind == PropertyKind::reachable ||
@@ -386,8 +388,8 @@ bool Asserter::runs_in_cycles(const ir::ComponentRef& ref) const {
            });
 }
 
-/// The reason why a RoboSim component has no process: a cycle without a length, or inputs of an operation alone, which
-/// only a cycle reads; "" if it has one.
+/// Returns the reason why a RoboSim component has no process, or "" if it has one. Reasons are a cycle without a
+/// length, and an operation that is checked separately and has inputs, which only a cycle reads.
 std::string Asserter::open_registers(const ir::ComponentRef& ref, const ir::Property& property) const {
     const ComponentEmission* component = find_component(ref);
     if (component == nullptr) return "";
@@ -401,7 +403,7 @@ std::string Asserter::open_registers(const ir::ComponentRef& ref, const ir::Prop
     return "";
 }
 
-/// The reason why a property has no CSPM form here; "" if it has one.
+/// Returns the reason why a property has no CSPM form here, or "" if it has one.
 std::string Asserter::why_unavailable(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool component_only =

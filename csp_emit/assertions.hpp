@@ -11,8 +11,8 @@
 
 namespace robochart::csp_emit {
 
-/// One obligation for each property that is decided in this semantics. Obligations may add declarations with unique
-/// names to the script. The meanings of these names are added to the provenance.
+/// Returns one obligation for each property that is decided in this semantics. Obligations may add declarations with
+/// unique names to the script. The meanings of these names are added to the provenance.
 [[nodiscard]] std::vector<Obligation> make_obligations(const Project&, NameManager&, Emitted&);
 /// RoboSim: the names of cycles without a length.
 [[nodiscard]] std::set<std::string> open_cycles(const ir::System&);
@@ -21,10 +21,10 @@ namespace robochart::csp_emit {
                                                                     const std::set<std::string>& open_cycles);
 /// RoboSim: the reason why a component with such a parameter has no process.
 [[nodiscard]] std::string missing_cycle(const std::string& component);
-/// The component's process of this variant ("D__") with defaults for its parameters.
+/// Returns the component's process of this variant ("D__") with defaults for its parameters.
 [[nodiscard]] cspm::ExprPtr default_process(const Project&, const std::string& path, const ComponentEmission&,
                                             const std::string& variant);
-/// The default arguments, `id__` first.
+/// Returns the default arguments of the component's process. The first is the argument for `id__`.
 [[nodiscard]] std::vector<cspm::ExprPtr> default_arguments(const Project&, const ComponentEmission&);
 
 }  // namespace robochart::csp_emit

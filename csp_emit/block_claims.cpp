@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See block_claims.hpp. The analysis follows definitions by name, for all arguments. A set is taken to contain all
+// See block_claims.hpp. The analysis follows definitions by name, for all arguments. A set is assumed to contain all
 // events that it may contain.
 #include "csp_emit/block_claims.hpp"
 
@@ -36,7 +36,7 @@ void each_part(const cspm::Expr& expr, const std::function<void(const ExprPtr&)>
         if (decl->body) visit(decl->body);
 }
 
-/// The definitions in the blocks of a file that matter for claims about processes.
+/// The definitions in the blocks of a file, as far as they matter for claims about processes.
 class Definitions {
 public:
     Definitions(const std::vector<DeclPtr>& decls, const Provenance& provenance) : provenance_(provenance) {
@@ -44,7 +44,7 @@ public:
     }
 
     [[nodiscard]] bool defines(const std::string& name) const { return declared_.contains(name); }
-    /// The inputs that the process hides, under the names that the process uses.
+    /// Returns the inputs that the process hides, under the names that the process uses.
     [[nodiscard]] std::set<std::string> hidden_inputs(const std::string& process) {
         followed_.clear();
         hidden_.clear();
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    /// Declarations in timed sections belong to the enclosing scope.
+    /// Adds declarations. Those in timed sections belong to the enclosing scope.
     void declare(const std::vector<DeclPtr>& decls) {
         for (const DeclPtr& decl : decls) {
             if (decl->kind == cspm::DeclKind::timed) declare(decl->decls);
@@ -74,8 +74,8 @@ private:
         each_part(*expr, [&](const ExprPtr& part) { follow_names(part); });
     }
 
-    /// The names in an expression and in the definitions of these names. An event `e.out` does not represent all events
-    /// of `e`.
+    /// Collects the names in an expression and in the definitions of these names. An event `e.out` does not represent
+    /// all events of `e`.
     void collect_names(const ExprPtr& expr, std::set<std::string>& result) const {
         if (!expr) return;
         if (expr->kind == ExprKind::dot && expr->args.size() > 1 && expr->args[0]->kind == ExprKind::name &&
@@ -89,7 +89,7 @@ private:
         each_part(*expr, [&](const ExprPtr& part) { collect_names(part, result); });
     }
 
-    /// Whether the environment decides the event: inputs, and external writes to variables.
+    /// True if the environment decides the event: inputs, and external writes to variables.
     [[nodiscard]] static bool decided_outside(MeaningKind kind) {
         return kind == MeaningKind::trigger || kind == MeaningKind::external_write;
     }
@@ -169,7 +169,7 @@ std::vector<Obligation> block_obligations(const Project& project, const std::vec
 
 void check_block_claims(const Project& project, const DeclsOfFiles& files, const Provenance& provenance) {
     std::set<std::string> reported;
-    std::map<std::string, Definitions> definitions;  // by path of the assertion file
+    std::map<std::string, Definitions> definitions;  // by the path of the assertion file
     for (const ir::Property& property : project.system.properties) {
         const bool both = property.timed && property.untimed;
         if (project.is_timed() ? !property.timed : !property.untimed) continue;

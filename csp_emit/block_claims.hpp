@@ -13,8 +13,8 @@
 
 namespace robochart::csp_emit {
 
-/// One obligation for each assert line among these declarations; the lines are not changed. The declarations must not
-/// contain other assertions.
+/// Returns one obligation for each assert line among these declarations. The lines are not changed. The declarations
+/// must not contain other assertions.
 [[nodiscard]] std::vector<Obligation> block_obligations(const Project&, const std::vector<cspm::DeclPtr>& decls);
 
 /// The declarations of the blocks of each assertion file, by its path.

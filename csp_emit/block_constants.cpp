@@ -29,7 +29,7 @@ class Values {
 public:
     explicit Values(const DefinitionsByName& definitions) : definitions_(definitions) {}
 
-    /// The expression in `name = expression`; null if no block has such a definition.
+    /// Returns the expression in `name = expression`, or null if no block has such a definition.
     [[nodiscard]] cspm::ExprPtr body_of(const std::string& name) const {
         const auto found = definitions_.find(name);
         if (found == definitions_.end() || found->second.front().decl->kind != cspm::DeclKind::value) return nullptr;
@@ -77,7 +77,7 @@ private:
     const DefinitionsByName& definitions_;
 };
 
-/// Whether the script of the other semantics has already reported this finding.
+/// True if the script of the other semantics has already reported this finding.
 bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics::Span place) {
     const auto known = project.diagnostics.sorted_findings();
     return std::ranges::any_of(
@@ -89,7 +89,8 @@ bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics
 std::set<std::string> check_names_of_constants(const Project& project, const DefinitionsByName& definitions) {
     std::set<std::string> result;
     const Values values(definitions);
-    std::map<std::string, const ir::NamedConstant*> first_part;  // by the name of the machine's own constant
+    // The constant of the first part, by the name of the machine's own constant.
+    std::map<std::string, const ir::NamedConstant*> first_part;
     const std::vector<ir::NamedConstant> constants = ir::named_constants(project.system);
     const auto own = ir::own_constants(project.system);
     for (const ir::NamedConstant& constant : constants) {

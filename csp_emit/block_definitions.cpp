@@ -9,7 +9,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// The place in the user's file; blocks are parsed from copies.
+/// Returns the place in the user's file. (Blocks are parsed from copies.)
 diagnostics::Span in_file(const Project& project, const std::string& file, diagnostics::Span span) {
     const auto& blocks = project.system.csp_blocks;
     const auto block = std::ranges::find_if(blocks, [&](const ir::CspBlock& candidate) {

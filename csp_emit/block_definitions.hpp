@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The definitions in blocks Instantiations, with their places in the users' files.
+// Finds the definitions in blocks Instantiations, with their places in the users' files.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ struct BlockDefinition {
     diagnostics::Span place;
 };
 
-/// The definitions, by the name that the element has in the script. A function has several clauses.
+/// Returns the definitions, by the name that the element has in the script. A function has several clauses.
 [[nodiscard]] std::map<std::string, std::vector<BlockDefinition>> block_definitions(
     const Project&, const std::vector<FileBlocks>& files, const NamesForBlocks& of_model);
 

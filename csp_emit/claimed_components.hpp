@@ -17,7 +17,7 @@ namespace robochart::csp_emit {
 void visit_named(const Emission&, const std::vector<cspm::ExprPtr>&,
                  const std::function<void(const cspm::ExprPtr&)>& visit);
 
-/// The paths of the components whose processes the expressions name.
+/// Returns the paths of the components whose processes the expressions name.
 [[nodiscard]] std::set<std::string> components_in(const Emission&, const std::vector<cspm::ExprPtr>&);
 
 }  // namespace robochart::csp_emit

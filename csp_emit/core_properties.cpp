@@ -16,7 +16,7 @@ using ir::PropertyKind;
 
 namespace {
 
-/// The properties of one component.
+/// Writes the properties of one component.
 class CoreProperties {
 public:
     CoreProperties(const Project& project, NameManager& names, Emitted& emitted, std::string path, std::string title)
@@ -81,12 +81,12 @@ private:
         return obligation;
     }
 
-    /// Adds the clock properties of a machine; each clock is checked in an instrumented copy of the machine.
+    /// Adds the clock properties of a machine. Each clock is checked in an instrumented copy of the machine.
     void add_clocks() {
         // In RoboSim, every clock begins at 0.
         if (component_.machine == nullptr || component_.machine->robosim) return;
         for (const ir::Clock& clock : component_.machine->clocks) {
-            if (clock.entry_of.is_valid()) continue;  // reset by the entry of a state
+            if (clock.entry_of.is_valid()) continue;  // the entry of a state resets the clock
             const WatchedCopy watch =
                 clock_watch(project_, names_, emitted_, path_, clock.name, flatten_name(path_ + "_" + clock.name));
             if (watch.reads == 0) continue;
@@ -107,7 +107,8 @@ private:
         }
     }
 
-    /// Adds reachability of the states of all machines in the component, in the component's context.
+    /// Adds the reachability of the states of all machines in the component. The machines run in the context of the
+    /// component.
     void add_states() {
         const ExprPtr visible = default_process(project_, path_, component_, "VS__");
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
@@ -115,8 +116,8 @@ private:
                 if (node.kind == ir::NodeKind::state) add_state(path, node, visible);
         });
     }
-    /// Adds the question which transitions fire. It uses VS__, in which no part is compressed, so a state determines
-    /// the states of the machines.
+    /// Adds the question which transitions can fire. It uses VS__, in which no part is compressed, so that a state of
+    /// the process determines the states of the machines.
     void add_transitions() {
         FiringQuestion question{default_process(project_, path_, component_, "VS__"), {}};
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {

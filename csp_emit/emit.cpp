@@ -84,7 +84,7 @@ private:
         for (const ir::Event& event : component.events) reserve_register(event.name);
         for (const auto& operation : component.operations) reserve_register(operation.name);
     }
-    /// The constructors of the channels of registers; RoboSim.
+    /// RoboSim: reserves the constructors of the channels of registers.
     void reserve_register(const std::string& name) {
         const std::string plain = name.starts_with("$") ? name.substr(1) : name;
         for (const char* prefix : {"i_", "o_"}) names_.reserve(prefix + plain);
@@ -102,7 +102,7 @@ void append_declarations(std::vector<DeclPtr>& decls, const std::vector<DeclPtr>
     decls.insert(decls.end(), more.begin(), more.end());
 }
 
-/// Components of a package, in the order machines, controllers, modules.
+/// The components of a package, in the order machines, controllers, modules.
 class Packages {
 public:
     void add_module(const std::string& package, const DeclPtr& module) {
@@ -128,7 +128,7 @@ private:
     std::vector<std::pair<std::string, std::vector<DeclPtr>>> packages_;
 };
 
-/// Emits every component. `given` contains the constants that blocks Instantiations define with effect on claims.
+/// Emits every component. `given` contains the constants that blocks Instantiations define and that influence claims.
 void emit_components(const Project& project, const NameManager& names, const std::set<std::string>& given,
                      Emitted& emitted, std::vector<DeclPtr>& decls) {
     Packages packages;
@@ -163,7 +163,7 @@ void emit_components(const Project& project, const NameManager& names, const std
         if (project.is_timed()) decls.push_back(emit_simulation(project, simulation, emitted).module);
 }
 
-/// Parses a block so that its diagnostics point into the .assertions file: the text around it is replaced by blanks.
+/// Parses a block so that its diagnostics point into the .assertions file: blanks replace the text around the block.
 std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& block) {
     std::string text = block.text;
     if (block.text_span.is_known()) {
@@ -196,8 +196,8 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
     return result;
 }
 
-/// The blocks for this semantics, file by file. Instantiations lose the `transparent` lines that repeat lines of the
-/// library.
+/// Returns the blocks for this semantics, file by file. Instantiations lose the `transparent` lines that repeat lines
+/// of the library.
 std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<DeclPtr>& library) {
     std::vector<FileBlocks> result;
     std::set<std::string> instantiations;
@@ -233,7 +233,7 @@ void add_instantiations(const Project& project, const std::set<std::string>& giv
         if (!function.postconditions.empty()) bounded.erase(function_name(function));
 }
 
-/// The names that a block may redefine or use.
+/// Returns the names that a block may redefine or use.
 std::set<std::string> names_for_blocks(const Project& project, const std::vector<DeclPtr>& core,
                                        const std::vector<DeclPtr>& generated, const NamesForBlocks& of_model) {
     std::set<std::string> result = user_names(core).all;
@@ -269,7 +269,8 @@ void name_claim(const Project& project, Obligation& obligation) {
     first.front() = std::make_shared<const cspm::Decl>(std::move(named));
 }
 
-/// Refuses blocks that give a value to one of several instances of a machine from which an operation requires it.
+/// Rejects blocks that give a constant a value in only one of several instances of a machine from which an operation
+/// requires the constant.
 void check_shared_constants(const Project& project, const std::set<std::string>& given) {
     for (const ir::SharedConstant& shared : ir::shared_constants(project.system))
         for (const ir::ConstantSource& source : shared.sources)
@@ -279,7 +280,7 @@ void check_shared_constants(const Project& project, const std::set<std::string>&
                                            shared.operation->origin.span);
 }
 
-/// The script's name for a generated name.
+/// Returns the script's name for a generated name.
 std::string new_name(const cspm::NewNames& names, const std::string& name) {
     const auto found = names.find(name);
     return found == names.end() ? name : found->second;
@@ -327,7 +328,7 @@ Emission emit_with(const ir::System& system, const ir::Instantiation& instantiat
     emitted.shown = shown;
     const std::set<std::string> given = given_names(files, safe.for_blocks);
     check_shared_constants(project, given);
-    std::set<std::string> deciding = given;  // if a constant has two names, the name that determines its value
+    std::set<std::string> deciding = given;  // for a constant with two names: the name that determines its value
     add_instantiations(project, given, generated, result.bounded, left_out);
     if (project.instantiations_replaced()) {
         const auto definitions = block_definitions(project, files, safe.for_blocks);

@@ -14,14 +14,14 @@
 
 namespace robochart::csp_emit {
 
-/// Emits all components of the system for one semantics (untimed or timed). CSP blocks are parsed by the CSPM reader;
-/// their syntax errors are reported at their place in the .assertions file. Constructs without CSP semantics are
-/// reported by name.
+/// Emits all components of the system for one semantics (untimed or timed). The CSPM reader parses CSP blocks, and
+/// reports their syntax errors at the place in the .assertions file. Constructs without CSP semantics are reported by
+/// name.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, Time, const Options&,
                             diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
-/// The emission as files that FDR loads: csp-gen/[timed/]NAME.csp and NAME_assertions.csp (which includes the first).
-/// `notes` are comments at the head of the definitions; they may contain any text.
+/// Returns the emission as files that FDR loads: csp-gen/[timed/]NAME.csp and NAME_assertions.csp (which includes the
+/// first). `notes` become comments at the head of the definitions, and may contain any text.
 [[nodiscard]] std::vector<OutputFile> files(const Emission&, Time, const std::string& model,
                                             const std::vector<std::string>& notes = {});
 

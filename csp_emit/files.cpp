@@ -11,7 +11,7 @@ namespace robochart::csp_emit {
 
 namespace {
 
-/// A name for the script that is valid in an include and as a file name; the model's file may have any name.
+/// Returns a name for the script that is valid in an include and as a file name. The model's file may have any name.
 std::string script_name(const std::string& model) {
     std::string name;
     for (const char c : model) name += c > 0x20 && c < 0x7F && c != '"' && c != '\\' && c != '/' ? c : '_';

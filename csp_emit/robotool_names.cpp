@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps old names in CSP blocks to current names, which are those of RoboTool's scripts of 2024 and 2026
 // (docs/semantics.md). Generators of 2021 and 2022 had no modules. For `P::S::e`, `P::S::O__` and `P::S::moveCall` they
-// wrote `S_e`, `S_O` and `S_moveCall`; they also had an event `moveRet` at the end of a call of `move`, and
+// wrote `S_e`, `S_O` and `S_moveCall`; They also had an event `moveRet` at the end of a call of `move`, and an event
 // `enteredV.SID_s` for the entry of a state. A later generation had modules for components, but none for packages.
 #include "csp_emit/robotool_names.hpp"
 
@@ -22,7 +22,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Channels on which RoboTool's processes of states and transitions synchronise.
+/// The channels on which RoboTool's processes of states and transitions synchronise.
 constexpr std::array<std::string_view, 9> inner = {"MachineBody", "Memory",  "enter",      "exit",    "exited",
                                                    "interrupt",   "share__", "internal__", "entered_"};
 
@@ -41,7 +41,7 @@ bool is_any(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// A name of an older generator: the current name, or the reason why there is none.
+/// The current name for a name of an older generator, or the reason why there is none.
 struct OldName {
     std::string now;
     std::string instead;
@@ -51,7 +51,7 @@ struct OldName {
 const char* const no_return =
     "belongs to an older generator; a call is now one event, and its return is not visible: remove it";
 
-/// Today's name for `COMPONENT_LAST` or `COMPONENT::LAST`.
+/// Returns the current name for `COMPONENT_LAST` or `COMPONENT::LAST`.
 std::optional<OldName> of_component(const ComponentEmission& component, const std::string& path,
                                     const std::string& last) {
     constexpr std::string_view returned = "Ret";
@@ -93,7 +93,7 @@ private:
         for_each_part(expr, [&](const cspm::Expr& part) { check_expression(part); });
     }
 
-    /// Whether the prefix has the form `S::moveRet -> P`, which current scripts write as P.
+    /// True if the prefix has the form `S::moveRet -> P`, which current scripts write as P.
     bool left_out(const cspm::Expr& prefix) {
         const cspm::Expr& event = *prefix.args.at(0);
         if (event.kind != cspm::ExprKind::name || !prefix.fields.empty()) return false;
@@ -126,7 +126,7 @@ private:
 
     using Component = std::map<std::string, ComponentEmission>::const_iterator;
 
-    /// The innermost component that contains a qualified name.
+    /// Returns the innermost component that contains a qualified name.
     [[nodiscard]] Component component_around(const std::string& name) const {
         for (std::size_t end = name.rfind(separator); end != std::string::npos && end > 0;
              end = name.rfind(separator, end - 1))

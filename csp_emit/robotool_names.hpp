@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds names in CSP blocks that scripts of RoboTool, of any version, declare and that this script does not declare.
+// Finds names in CSP blocks that scripts of some version of RoboTool declare, but that this script does not declare.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ namespace robochart::csp_emit {
 void check_robotool_names(const Project&, const std::map<std::string, ComponentEmission>& components,
                           const std::vector<cspm::DeclPtr>& definitions, const std::vector<cspm::DeclPtr>& decls);
 
-/// The current name for the carrier of a basic type such as `nat`; "" for other names.
+/// Returns the current name for the carrier of a basic type such as `nat`, or "" for other names.
 [[nodiscard]] std::string name_of_carrier(const std::string& name);
 
 }  // namespace robochart::csp_emit

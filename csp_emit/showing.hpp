@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The timed semantics in which processes show facts about states and variables by events. Claims about states and
-// variables (claims/) read these events.
+// Emits the timed semantics with processes that show facts about states and variables by events. Claims about states
+// and variables (claims/) read these events.
 //
 // Before any other step, a machine performs `shown__.b1.b2...`. The Boolean bi states whether fact i of the machine is
 // true. The event stays visible in all components around the machine. If a transition leaves a state and enters it
@@ -13,7 +13,7 @@
 
 namespace robochart::csp_emit {
 
-/// The timed semantics (emit.hpp) whose machines show these facts.
+/// Returns the timed semantics (emit.hpp) whose machines show these facts.
 [[nodiscard]] Emission emit_showing(const ir::System& system, const ir::Instantiation& instantiation,
                                     const Shown& shown, diagnostics::SourceManager& sources,
                                     diagnostics::Diagnostics& diagnostics);

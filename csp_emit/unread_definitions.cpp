@@ -13,7 +13,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Whether the script of the other semantics has already reported this finding.
+/// True if the script of the other semantics has already reported this finding.
 bool is_known(const Project& project, diagnostics::Span place) {
     const auto known = project.diagnostics.sorted_findings();
     return std::ranges::any_of(known, [&](const diagnostics::Diagnostic& finding) {
@@ -21,14 +21,14 @@ bool is_known(const Project& project, diagnostics::Span place) {
     });
 }
 
-/// The first place of a name inside another place.
+/// Returns the place of the first occurrence of a name inside another place.
 diagnostics::Span name_in(const Project& project, diagnostics::Span place, const std::string& name) {
     const std::size_t at = project.sources.source_text(place.source).find(name, place.begin);
     if (at == std::string::npos) return place;
     return {place.source, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + name.size())};
 }
 
-/// Whether the name has the form of RoboTool's names of carriers and constants.
+/// True if the name has the form of RoboTool's names of carriers and constants.
 bool is_of_instantiations(const std::string& name) {
     return name.starts_with("core_") || name.starts_with("const_");
 }

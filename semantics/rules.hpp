@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule table of this component: constructs that the IR cannot express, and mistakes in an instantiation.
+// Lists the rules of this component: constructs that the IR cannot express, and mistakes in an instantiation.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text between tokens that is not blank is a comment; text inside a string literal that looks like a comment is not.
+// Finds comments. Text between tokens that is not blank is a comment. Text inside a string literal is never a comment.
 #include "csp_emit/base/block_comments.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void add_comment(std::vector<Comment>& result, std::size_t at, std::string_view 
     if (!comment.text.empty()) result.push_back(std::move(comment));
 }
 
-/// Returns the end of the comment that begins at `at`; block comments nest.
+/// Returns the end of the comment that begins at `at`. Block comments may be nested.
 std::size_t end_of(std::string_view text, std::size_t at) {
     if (text.substr(at, 2) == "--") return std::min(text.find('\n', at), text.size());
     std::size_t depth = 1;
@@ -48,7 +48,7 @@ std::size_t end_of(std::string_view text, std::size_t at) {
     return std::min(at, text.size());
 }
 
-/// The comments between two tokens.
+/// Collects the comments between two tokens.
 void collect_comments(std::string_view text, std::size_t from, std::size_t to, std::vector<Comment>& result) {
     for (std::size_t at = from; at + 1 < to;) {
         const std::string_view next = text.substr(at, 2);
@@ -90,7 +90,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t line_end(std::size_t at) const { return std::min(text_.find('\n', at), text_.size()); }
-    /// The comments that begin before `end` and are not yet attached to a declaration.
+    /// Returns the comments that begin before `end` and are not yet attached to a declaration.
     std::string take_comments_before(std::size_t end) {
         std::string result;
         for (; next_ < comments_.size() && comments_[next_].at < end; ++next_) result += comments_[next_].text;

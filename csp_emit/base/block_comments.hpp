@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attaches the comments of CSP blocks to the syntax tree, so that printed scripts contain them. The evaluation ignores
-// them.
+// the comments.
 #pragma once
 
 #include <string_view>

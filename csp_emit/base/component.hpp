@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of emitted machines, controllers and modules: a CSPM module and the parameters of its process
-// variants (semantics 3.12).
+// Defines what emitted machines, controllers and modules have in common: a CSPM module and the parameters of its
+// process variants (semantics 3.12).
 #pragma once
 
 #include <map>
@@ -43,7 +43,7 @@ struct ComponentEmission {
     bool large = false;  ///< the component may have too many states to be compressed separately
 };
 
-/// Records the meaning of an event of a component; `event` is its qualified CSPM name.
+/// Records the meaning of an event of a component. `event` is the qualified CSPM name of the event.
 void mean(Provenance&, const std::string& component, const std::string& event, EventMeaning);
 /// Returns the call of a function whose arguments are variables named like its parameters.
 [[nodiscard]] cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string>& parameters);
@@ -52,16 +52,16 @@ void mean(Provenance&, const std::string& component, const std::string& event, E
 /// provenance.
 class ChannelDeclarations {
 public:
-    /// `owner`: qualified CSPM name of the component.
+    /// `owner` is the qualified CSPM name of the component.
     ChannelDeclarations(const Project& project, std::string owner, Provenance& provenance,
                         std::vector<cspm::DeclPtr>& decls)
         : project_(project), owner_(std::move(owner)), provenance_(provenance), decls_(decls) {}
 
-    /// `e : InOut` or `e : InOut.T`: `in` receives, `out` sends.
+    /// Declares `e : InOut` or `e : InOut.T`. `in` receives and `out` sends.
     void declare_event(const ir::Event&);
-    /// `opCall.args`: a call of an operation that has no definition in the context.
+    /// Declares `opCall.args`, a call of an operation that has no definition in the context.
     void declare_call(const ir::OperationSignature&);
-    /// `set_x`, and also `set_EXT_x` if other components may write the variable.
+    /// Declares `set_x`, and also `set_EXT_x` if other components may write the variable.
     void declare_variable(const std::string& name, ir::TypeId, bool written_by_others, const ir::Origin&);
 
 private:
@@ -80,7 +80,7 @@ struct EmittedMachine {
     Provenance provenance;
 };
 
-/// Everything emitted so far: every component by its qualified CSPM name, including nested ones.
+/// All data emitted so far. The components, including nested ones, are keyed by their qualified CSPM names.
 struct Emitted {
     Shown shown = {};  ///< the facts that machines show; empty unless there are claims about states and variables
     Provenance provenance;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of the emission: the script, the checks to make with it, and the meaning of its names in the model.
+// Defines the result of the emission: the script, the checks to make with it, and the meanings of its names in the
+// model.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 
 namespace robochart::csp_emit {
 
-/// The two semantics; each has its own script.
+/// The two semantics. Each has its own script.
 enum class Time { untimed, timed };
 
 /// The kind of model element that a name of the script denotes.
@@ -95,12 +96,12 @@ struct DefinitionMeaning {
     /// The inputs and statements that the configuration offers. Definitions share these objects.
     std::vector<std::shared_ptr<const OfferMeaning>> offers = {};
 };
-/// Copies of one component that run together, for finding the copy that performs an event.
+/// Describes copies of one component that run together, so that the copy that performs an event can be found.
 struct CopiesMeaning {
     std::uint32_t count = 0;
     std::string word;  ///< name of a copy, to which its number is appended, counted from 0: "robot"
     /// Channels whose first field is the number of the acting copy. The value describes the copy's action if the
-    /// component's own events do not describe it; otherwise it is "".
+    /// component's own events do not describe it. Otherwise it is "".
     std::map<std::string, std::string> channels;
 };
 
@@ -119,15 +120,15 @@ struct TransitionInside {
     ir::Origin origin;
 };
 
-/// Asks which transitions of a component can fire. Assertions would need an event for each transition, so a search of
-/// all states answers this instead.
+/// Asks which transitions of a component can fire. A search of all states answers this, because assertions would need
+/// an event for each transition.
 struct FiringQuestion {
     cspm::ExprPtr process;
     std::vector<TransitionInside> transitions;
 };
 
 /// Asks whether some event of the goal stays reachable from every reachable state of the process. No refinement
-/// expresses this question; a backward search answers it (checker/refine/verdict/recurrence.hpp).
+/// expresses this question, so a backward search answers it (checker/refine/verdict/recurrence.hpp).
 struct RecurrenceQuestion {
     cspm::ExprPtr process;
     cspm::ExprPtr goal;  ///< a set of events
@@ -142,8 +143,8 @@ struct Premise {
     std::string reason;                     ///< states what is true at the end of a run that violates it
 };
 
-/// One check: an assertion of the model in one semantics, as one or more CSPM assertions; an assert line of a CSP
-/// block; or a core property.
+/// One check: an assertion of the model in one semantics (as one or more CSPM assertions), an assert line of a CSP
+/// block, or a core property.
 struct Obligation {
     ir::PropertyKind kind = ir::PropertyKind::deadlock_free;
     bool negated = false;
@@ -162,9 +163,9 @@ struct Obligation {
                                                    ///< `reason`)
     std::optional<FiringQuestion> firing;          ///< decided without an assertion: can all of them fire?
     std::optional<RecurrenceQuestion> recurrence;  ///< decided in addition to the assertions: does the event stay
-                                                   ///< reachable?
-    /// RoboSim: a component that stops time is deadlock-free in RoboTool's sense. If the claim holds and time can stop
-    /// forever, the report states this; the claim still holds.
+                                                   /// < reachable? RoboSim: a component that stops time is
+                                                   /// deadlock-free in RoboTool's sense. If time can stop forever, the
+                                                   /// report states this, but the claim still holds.
     std::optional<RecurrenceQuestion> time_goes_on;
     std::shared_ptr<const Premise> premise;  ///< premise of the answer "holds"; null if there is none. Several
                                              ///< claims may share one
@@ -176,8 +177,8 @@ struct Obligation {
 /// The processes of a component, with the values of constants that an assertion does not set (semantics 3.12).
 struct ComponentProcesses {
     std::string path;          ///< "P::C::stm_ref0"
-    cspm::ExprPtr process;     ///< its D__
-    cspm::ExprPtr compressed;  ///< its O__
+    cspm::ExprPtr process;     ///< the process D__
+    cspm::ExprPtr compressed;  ///< the process O__
 };
 
 /// The semantics of a system, untimed or timed: the scripts, the checks to make, and the meaning of names.

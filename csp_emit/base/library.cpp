@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library is stored as text and parsed by the project's CSPM reader. Its parameters end in `__`, because a
-// parameter with the name of a channel or constructor of the model would become a constructor pattern.
+// Stores the library as text, which the project's CSPM reader parses. Its parameters end in `__`, because a parameter
+// with the name of a channel or constructor of the model would become a constructor pattern.
 
 #include <algorithm>
 
@@ -129,7 +129,7 @@ Some__ = [] x__ : Events @ x__ -> SKIP
 DoClockReset(s__) = ||| c__ : s__ @ c__ -> SKIP
 )";
 
-/// Component i of an n-tuple: `tuple3_2((x1__,x2__,x3__)) = x2__`.
+/// Returns the functions that select component i of an n-tuple: `tuple3_2((x1__,x2__,x3__)) = x2__`.
 std::string tuple_parts() {
     std::string result;
     for (int n = 2; n <= 5; ++n)
@@ -148,7 +148,7 @@ bool blocks_name(const ir::System& system, std::initializer_list<const char*> na
     });
 }
 
-/// The definitions of RoboTool's library that CSP blocks name and generated scripts do not need.
+/// Returns the definitions of RoboTool's library that CSP blocks name and generated scripts do not need.
 std::string further_text(const ir::System& system, Time time) {
     std::string result;
     if (blocks_name(system, {"ILSeq", "calc_type_"})) result += further_common;

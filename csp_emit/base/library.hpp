@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The beginning of every script: directions of events, bounded data types and, in timed scripts, the operators that
-// hand-written specifications use. The names are RoboTool's (semantics 3.10, 3.13), so that users' CSP blocks work.
+// Writes the beginning of every script: directions of events, bounded data types and, in timed scripts, the operators
+// that hand-written specifications use. The names are RoboTool's (semantics 3.10, 3.13), so that users' CSP blocks
+// work.
 #pragma once
 
 #include <set>
@@ -11,13 +12,14 @@
 
 namespace robochart::csp_emit {
 
-/// The library for untimed or timed scripts as CSPM text, in our own wording.
+/// Returns the library for untimed or timed scripts as CSPM text. The text is not RoboTool's.
 [[nodiscard]] std::string library_text(Time);
-/// The library with the additional definitions of RoboTool's library that CSP blocks and assertions of the system
-/// mention.
+/// Returns the library with the additional definitions of RoboTool's library that CSP blocks and assertions of the
+/// system mention.
 [[nodiscard]] std::string library_text(const ir::System&, Time);
 
-/// All top-level names that the untimed and the timed library declare, including the toolkits and the tick-tock model.
+/// Returns all top-level names that the untimed and the timed library declare, including the toolkits and the tick-tock
+/// model.
 [[nodiscard]] const std::set<std::string>& library_names();
 
 }  // namespace robochart::csp_emit

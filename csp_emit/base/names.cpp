@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reserved words are those of the FDR manual (CSPM: definitions, built-in definitions) and of library.cpp.
+// Makes names that are not reserved. Reserved words are those of the FDR manual (CSPM: definitions, built-in
+// definitions) and of library.cpp.
 #include "csp_emit/base/names.hpp"
 
 #include <algorithm>
@@ -147,7 +148,7 @@ constexpr std::array reserved_names{"and",
                                     "entered",
                                     "real_scale"};
 
-// Predefined functions that only the library and the instantiations call, both outside the modules.
+// Predefined functions that only the library and the instantiations call. Both are outside the modules.
 constexpr std::array only_at_top{"inter",  "diff", "Union",  "Inter", "set",  "seq",        "head", "tail",
                                  "concat", "elem", "length", "null",  "show", "extensions", "Map",  "productions"};
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the script. Elements of the model keep RoboTool's names (semantics 3.2, 3.12). Generated names (parameters,
-// program points) are made distinct from all channels, constructors and functions, because a CSPM parameter with such a
-// name would be a constructor pattern.
+// Makes the names of the script. Elements of the model have RoboTool's names (semantics 3.2, 3.12). Generated names
+// (parameters, program points) are made distinct from all channels, constructors and functions, because a CSPM
+// parameter with such a name would be a constructor pattern.
 #pragma once
 
 #include <map>
@@ -18,8 +18,8 @@ class NameManager {
 public:
     void reserve(const std::string& name) { taken_.insert(name); }
     [[nodiscard]] bool is_taken(const std::string& name) const { return taken_.count(name) != 0; }
-    /// Returns `name`, or `name_2`, `name_3`... if it is in use. An `n` is prepended if `name` does not begin with a
-    /// letter. The result is in use from then on.
+    /// Returns `name`, or `name_2`, `name_3`... if it is in use. If `name` does not begin with a letter, `n` is added
+    /// before it. The result then counts as used.
     [[nodiscard]] std::string unique_name(const std::string& name);
 
 private:
@@ -28,25 +28,25 @@ private:
                                               ///< time
 };
 
-/// Converts `A::B` to `A_B`; the result contains only letters, digits and underscores.
+/// Converts `A::B` to `A_B`. The result contains only letters, digits and underscores.
 [[nodiscard]] std::string flatten_name(std::string_view name);
-/// `P::X`, or `X` if the package is unnamed.
+/// Returns `P::X`, or `X` if the package is unnamed.
 [[nodiscard]] std::string qualified_name(const std::string& package, const std::string& name);
-/// The module of a machine: its name, or `OP_o` for an operation.
+/// Returns the module of a machine: its name, or `OP_o` for an operation.
 [[nodiscard]] std::string module_name(const ir::Machine&);
-/// Whether CSPM can write the name: a letter, then letters, digits and underscores.
+/// True if CSPM can write the name: a letter, then letters, digits and underscores.
 [[nodiscard]] bool is_identifier(const std::string& name);
-/// Whether an element at the top of the script must not have this name, because it is a keyword of CSPM, a predefined
+/// True if an element at the top of the script must not have this name, because it is a keyword of CSPM, a predefined
 /// name, a name of our library, or not an identifier.
 [[nodiscard]] bool is_reserved(const std::string& name);
-/// Whether the name is reserved and has a meaning inside the modules of components.
+/// True if the name is reserved and has a meaning inside the modules of components.
 [[nodiscard]] bool is_reserved_inside(const std::string& name);
-/// The script's name for a parameter or bound variable of the model. Its ending keeps it distinct from the names of all
-/// elements.
+/// Returns the script's name for a parameter or bound variable of the model. Its ending keeps it distinct from the
+/// names of all elements.
 [[nodiscard]] std::string bound_name(const std::string& name);
-/// Whether the name has the ending of generated parameters and processes, or of bound variables.
+/// True if the name has the ending of generated parameters and processes, or of bound variables.
 [[nodiscard]] bool has_generated_suffix(const std::string& name);
-/// Whether CSPM predefines the name, in every script or in timed sections.
+/// True if CSPM predefines the name, in every script or in timed sections.
 [[nodiscard]] bool is_predefined(const std::string& name);
 /// Marks all reserved names as used in the NameManager.
 void reserve_all(NameManager&);

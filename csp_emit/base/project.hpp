@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data that every part of the emitter uses: the model, its finite instantiation, the diagnostics.
+// Defines the data that the whole emitter uses: the model, its finite instantiation, the diagnostics.
 #pragma once
 
 #include <string>
@@ -20,27 +20,28 @@ struct Project {
     diagnostics::Diagnostics& diagnostics;
 
     [[nodiscard]] bool is_timed() const { return time == Time::timed; }
-    /// Whether a CSP block applies to this semantics (untimed or timed).
+    /// True if a CSP block applies to this semantics (untimed or timed).
     [[nodiscard]] bool block_applies(const ir::CspBlock& block) const {
         return is_timed() ? block.timed : block.untimed;
     }
-    /// Whether a CSP block replaces the generated carriers, constants and functions (semantics 3.13). RoboTool's
-    /// documents write `Instantiations`, some models `instantiations`.
+    /// True if a CSP block replaces the generated carriers, constants and functions (semantics 3.13). RoboTool's
+    /// documents name such a block `Instantiations`, and some models `instantiations`.
     [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
         return ir::is_instantiations(block) && block_applies(block);
     }
-    /// Whether some CSP block replaces the generated instantiations.
+    /// True if some CSP block replaces the generated instantiations.
     [[nodiscard]] bool instantiations_replaced() const;
     /// Reports RC-C01 and names the unsupported construct.
     void report_unsupported(const std::string& construct, diagnostics::Span span) const;
-    /// The number of times that the applicable CSP blocks mention the name: a qualified or plain name, or its last part
-    /// after `::`.
+    /// Returns the number of times that the applicable CSP blocks mention the name: a qualified or plain name, or its
+    /// last part after `::`.
     [[nodiscard]] std::size_t count_in_blocks(const std::string& name) const;
-    /// Whether the applicable CSP blocks mention the name.
+    /// True if the applicable CSP blocks mention the name.
     [[nodiscard]] bool blocks_mention(const std::string& name) const;
-    /// Whether an applicable CSP block or assertion mentions the component with this qualified CSPM name.
+    /// True if an applicable CSP block or assertion mentions the component with this qualified CSPM name.
     [[nodiscard]] bool mentions_component(const std::string& path) const;
-    /// The model's text at a place with blanks folded, at most 80 characters; "" if the place is unknown.
+    /// Returns the model's text at a place, or "" if the place is unknown. Each sequence of blanks becomes one blank,
+    /// and the text is cut at 80 characters.
     [[nodiscard]] std::string model_text(diagnostics::Span span) const;
 };
 

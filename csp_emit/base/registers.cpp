@@ -29,7 +29,7 @@ cspm::Constructor constructor_of(const Project& project, const std::string& pref
     return b::constructor(prefix + one.name, fields.empty() ? nullptr : b::dot(fields));
 }
 
-/// The type, the set and the channel of the inputs or outputs.
+/// Declares the type, the set and the channel of the inputs or outputs.
 void declare_side(const Project& project, const std::vector<Register>& used, const std::vector<Register>& named,
                   bool input, std::vector<DeclPtr>& decls) {
     const std::string prefix = input ? "i_" : "o_";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule table of this component: constructs without a CSP semantics here, and errors in CSP blocks.
+// Lists the rules of this component: constructs without a CSP semantics, and errors in CSP blocks.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library of emitted scripts, written in CSPM and parsed once: clipped arithmetic, time, and the toolkit functions
+// Parses the library of emitted scripts, which is written in CSPM: clipped arithmetic, time, and the toolkit functions
 // that the model calls.
 #include "csp_emit/base/script_library.hpp"
 
@@ -17,7 +17,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Names that occur in an expression.
+/// Collects the names that occur in an expression.
 void collect_names(const cspm::Expr& expr, std::set<std::string>& names) {
     if (expr.kind == cspm::ExprKind::name) names.insert(expr.text);
     for (const auto& part : expr.args)
@@ -43,8 +43,8 @@ std::set<std::string> called_by_model(const ir::System& system) {
     return names;
 }
 
-/// The definitions of the toolkit functions that the model calls, directly or through other toolkit functions, in a
-/// fixed order.
+/// Returns the definitions of the toolkit functions that the model calls, directly or through other toolkit functions,
+/// in a fixed order.
 std::vector<cspm::DeclPtr> toolkit_definitions(const Project& project) {
     std::set<std::string> used = called_by_model(project.system);
     if (used.empty()) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts about states and variables that machines show (csp_emit/showing.hpp).
+// Defines the facts about states and variables that machines show (csp_emit/showing.hpp).
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ struct ShownFact {
     std::function<cspm::ExprPtr(const MachineNames&)> condition;  ///< if there is no state
 };
 
-/// By the paths of machines.
+/// The facts that machines show, by the paths of the machines.
 using Shown = std::map<std::string, std::vector<ShownFact>>;
 
 }  // namespace robochart::csp_emit

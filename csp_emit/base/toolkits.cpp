@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the contracts of frontend/toolkits/library in a computable form. Sets and sequences are CSPM's; relations
+// Implements the contracts of frontend/toolkits/library in a computable form. Sets and sequences are CSPM's. Relations
 // and functions are sets of pairs. A function that depends on all values of a type takes these values as last arguments
 // (semantics/evaluate/toolkit.hpp). The name of a precondition is `pre_` followed by the function's name, as for
 // functions of the model (semantics 3.5).

@@ -6,7 +6,7 @@
 
 namespace robochart::csp_emit {
 
-/// The CSPM text of all functions of the toolkits.
+/// Returns the CSPM text of all functions of the toolkits.
 [[nodiscard]] std::string toolkit_text();
 
 }  // namespace robochart::csp_emit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Carriers: basic types are named sets of the instantiation; composed types are built from their parts (semantics 3.13:
-// records, products and vectors are tuples, functions are sets of pairs).
+// Writes carriers and values. Basic types are named sets of the instantiation. Composed types are constructed from
+// their parts (semantics 3.13: records, products and vectors are tuples, functions are sets of pairs).
 #include "csp_emit/base/types.hpp"
 
 #include "checker/cspm/syntax/build.hpp"
@@ -15,7 +15,7 @@ using ir::TypeKind;
 
 namespace {
 
-/// `{(x1__,x2__) | x1__ <- A, x2__ <- B}`; a single set is returned unchanged.
+/// Returns `{(x1__,x2__) | x1__ <- A, x2__ <- B}`, or a single set unchanged.
 ExprPtr tuples_of(const std::vector<ExprPtr>& sets) {
     if (sets.size() == 1) return sets[0];
     b::Exprs parts;
@@ -75,7 +75,7 @@ b::Exprs part_literals(const Project& project, const ir::Type& type, const ir::V
     return parts;
 }
 
-/// A function or relation: the set of its pairs.
+/// Returns the set of pairs of a function or relation.
 ExprPtr pairs_literal(const Project& project, const ir::Type& type, const ir::Value& value) {
     b::Exprs pairs;
     for (const ir::Value& pair : value.parts) pairs.push_back(b::tuple(part_literals(project, type, pair)));

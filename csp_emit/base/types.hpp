@@ -8,19 +8,19 @@
 
 namespace robochart::csp_emit {
 
-/// The finite set of a type's values: a name (core_nat, P_Colour) or an expression.
+/// Returns the finite set of a type's values: a name (core_nat, P_Colour) or an expression.
 [[nodiscard]] cspm::ExprPtr type_set(const Project&, ir::TypeId);
-/// A value of a type.
+/// Returns the CSPM expression for a value of a type.
 [[nodiscard]] cspm::ExprPtr value_literal(const Project&, ir::TypeId, const ir::Value&);
-/// The value of a variable that has no initial value in the model (semantics 3.6).
+/// Returns the value of a variable that has no initial value in the model (semantics 3.6).
 [[nodiscard]] cspm::ExprPtr default_literal(const Project&, ir::TypeId);
-/// The CSPM name of a declared type: `P_T`.
+/// Returns the CSPM name of a declared type: `P_T`.
 [[nodiscard]] std::string type_name(const ir::Type&);
-/// The CSPM constructor of an enumeration literal: `P_E_L`.
+/// Returns the CSPM constructor of an enumeration literal: `P_E_L`.
 [[nodiscard]] std::string literal_name(const ir::Type&, std::size_t literal);
-/// A tuple; a single part is returned unchanged (semantics 3.13: products, records, vectors and rows of matrices).
+/// Returns a tuple, or a single part unchanged (semantics 3.13: products, records, vectors and rows of matrices).
 [[nodiscard]] cspm::ExprPtr tuple_or_one(const std::vector<cspm::ExprPtr>& parts);
-/// Whether the type is nat, int or real.
+/// True if the type is nat, int or real.
 [[nodiscard]] bool is_numeric(const ir::Type&);
 
 }  // namespace robochart::csp_emit

@@ -14,7 +14,7 @@ namespace robochart::csp_emit {
 struct UserNames {
     std::set<std::string> constructors;  ///< channels and constructors at the top
     std::set<std::string> all;           ///< everything declared at the top
-    std::set<std::string> modules;       ///< those of the other names that are modules or instances
+    std::set<std::string> modules;       ///< modules and instances at the top
 };
 [[nodiscard]] UserNames user_names(const std::vector<cspm::DeclPtr>& blocks);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Priority and compression as RoboTool applies them.
+// Applies priority and compression as RoboTool does.
 #include "csp_emit/base/variants.hpp"
 
 #include "checker/cspm/syntax/build.hpp"

@@ -6,11 +6,11 @@
 
 namespace robochart::csp_emit {
 
-/// Timed: gives hidden events and ✓ priority over tock, `prioritise(P,<{},{tock}>)`; untimed: returns P. The events of
-/// the set `urgent`, if given, get priority over tock as well.
+/// In the timed semantics, returns `prioritise(P,<{},{tock}>)`, which gives hidden events and ✓ priority over tock. The
+/// events of the set `urgent`, if given, also get priority over tock. In the untimed semantics, returns P.
 [[nodiscard]] cspm::ExprPtr maximal_progress(const Project&, const cspm::ExprPtr& process,
                                              const cspm::ExprPtr& urgent = nullptr);
-/// Untimed `sbisim(diamond(P))`, timed `dbisim(P)`.
+/// Returns `sbisim(diamond(P))` in the untimed semantics, and `dbisim(P)` in the timed semantics.
 [[nodiscard]] cspm::ExprPtr compress_process(const Project&, const cspm::ExprPtr& process, bool large = false);
 
 }  // namespace robochart::csp_emit

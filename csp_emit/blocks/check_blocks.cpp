@@ -38,7 +38,7 @@ struct Copy {
     bool good = false;
 };
 
-/// `blank`: omit the texts of CSP blocks.
+/// Copies the texts of files. If `blank` is true, the texts of CSP blocks are omitted.
 Copy copy_of(const frontend::Model& model, const SourceManager& sources, const std::vector<std::size_t>& files,
              bool blank, diagnostics::Budget* budget) {
     Copy copy;
@@ -139,7 +139,8 @@ private:
         }
     }
 
-    /// The texts of blocks are separate sources, with the path and the offsets of their file.
+    /// Returns the span in the model's texts. The texts of blocks are separate sources, with the path and the offsets
+    /// of their file.
     [[nodiscard]] Span original_span(const SourceManager& copy, Span span) const {
         if (!span.is_known()) return {};
         const auto file = files_.find(copy.path(span.source));
@@ -150,7 +151,7 @@ private:
     const SourceManager& sources_;
     Diagnostics& out_;
     std::map<std::string, const frontend::File*> files_;
-    /// The findings reported so far; never iterated.
+    /// The findings reported so far. For lookup only.
     std::set<std::tuple<const diagnostics::Rule*, SourceId, std::uint32_t, std::string>> said_;
 };
 

@@ -16,8 +16,8 @@ namespace robochart::csp_emit {
 /// which one of its blocks applies. If a unit has errors or no script, checks only the syntax of its blocks.
 void check_blocks(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
-/// The script of an assertion file without its blocks, for the names that a block can use. No value if the model has
-/// errors.
+/// Returns the script of an assertion file without its blocks, for the names that a block can use. Returns no value if
+/// the model has errors.
 [[nodiscard]] std::optional<Emission> emission_without_blocks(const frontend::Model&, const diagnostics::SourceManager&,
                                                               diagnostics::SourceId assertions, Time,
                                                               diagnostics::Budget*);

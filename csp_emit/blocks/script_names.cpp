@@ -13,7 +13,7 @@ std::string qualify_name(const std::string& qualifier, const std::string& name) 
     return qualifier.empty() ? name : qualifier + "::" + name;
 }
 
-/// Whether the channel has a direction: `channel e : InOut...`.
+/// True if the channel has a direction: `channel e : InOut...`.
 bool is_directed(const cspm::Decl& channel) {
     const cspm::Expr* type = channel.body.get();
     if (type != nullptr && type->kind == cspm::ExprKind::dot && !type->args.empty()) type = type->args.front().get();
@@ -28,7 +28,7 @@ ScriptNames::ScriptNames(const cspm::Script& script) {
     add(script.decls, "");
 }
 
-/// Blocks can use the exported names of a module, or all names of a module without exports.
+/// Adds the names that blocks can use: the exported names of a module, or all names of a module without exports.
 void ScriptNames::add(const std::vector<cspm::DeclPtr>& decls, const std::string& qualifier) {
     for (const cspm::DeclPtr& decl : decls) {
         switch (decl->kind) {
@@ -111,7 +111,7 @@ std::vector<std::string> ScriptNames::suggest_names(std::string_view written) co
     std::ranges::stable_sort(same, {}, [](const ScriptName* name) { return std::ranges::count(name->qualifier, ':'); });
     if (qualifier.empty())
         for (const ScriptName* name : same) take(*name);
-    // Names with similar spelling: those in the same module, or otherwise in any module.
+    // Names with similar spelling in the same module or, if there are none, in any module.
     std::vector<std::string> near;
     for (const ScriptName* name : names_after(qualifier)) near.push_back(name->name);
     const std::string meant = diagnostics::nearest_spelling(last, near);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names that CSP blocks can use: the declarations of the emitted script, module by module.
+// Lists the names that CSP blocks can use: the declarations of the emitted script, module by module.
 #pragma once
 
 #include <map>
@@ -24,10 +24,10 @@ public:
     explicit ScriptNames(const cspm::Script& script);
 
     [[nodiscard]] const std::vector<ScriptName>& all() const { return names_; }
-    /// The names that can follow `QUALIFIER::`, in the order of the script.
+    /// Returns the names that can follow `QUALIFIER::`, in the order of the script.
     [[nodiscard]] std::vector<const ScriptName*> names_after(std::string_view qualifier) const;
-    /// Suggestions for a name that a block uses and that is not in scope: the same name in a component, or names with
-    /// similar spelling. There are at most three suggestions, the best first.
+    /// Returns suggestions for a name that a block uses and that is not in scope: the same name in a component, or
+    /// names with similar spelling. There are at most three suggestions, and the best is the first.
     [[nodiscard]] std::vector<std::string> suggest_names(std::string_view written) const;
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structure is RoboTool's: ((parts \ connections) [| memory |] Memory) \ memory [| {|terminate|} |> SKIP.
+// Defines compositions with RoboTool's structure: ((parts \ connections) [| memory |] Memory) \ memory [| {|terminate|}
+// |> SKIP.
 #include "csp_emit/compose/composition.hpp"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ bool Definer::has_variable(std::size_t part, const std::string& name) const {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// Timed semantics: `branches [] tock -> self`, so that a waiting process lets time pass.
+/// In the timed semantics, returns `branches [] tock -> self`, so that a waiting process lets time pass.
 ExprPtr Definer::allow_tock(const ExprPtr& branches, const ExprPtr& self) const {
     return timed() ? b::choice({branches, b::prefix(b::name("tock"), self)}) : branches;
 }
@@ -74,7 +75,7 @@ ExprPtr Definer::with_tock(b::Exprs events) const {
 }
 
 /// Semantics 3.9: `Part::V(...)[[own <- target]] \ {unconnected}`. Each event of the part is renamed to the channel of
-/// its connection (in and out swapped at the receiving end); events without any connection are hidden.
+/// its connection (in and out are swapped at the receiving end). Events without any connection are hidden.
 ExprPtr Definer::part_process(std::size_t index, const std::string& variant) const {
     const Part& part = c_.parts[index];
     b::Exprs arguments{b::name("id__")};
@@ -117,7 +118,8 @@ b::Exprs Definer::joined_events() const {
 }
 
 /// Semantics 3.9: `(P1 [| {terminate} u C1 |] (P2 [| {terminate} u C2 |] ...)) \ C`. All parts synchronise on terminate
-/// (and on tock), Pi with the later parts on the events Ci of connections between them; C is the union of the Ci.
+/// (and on tock). Pi synchronises with the later parts on the events Ci of connections between them. C is the union of
+/// the Ci.
 ExprPtr Definer::parts_process(const std::string& variant) const {
     ExprPtr result = part_process(c_.parts.size() - 1, variant);
     for (std::size_t i = c_.parts.size() - 1; i-- > 0;) {
@@ -131,8 +133,8 @@ ExprPtr Definer::parts_process(const std::string& variant) const {
     return joined.empty() ? result : b::hide(result, b::productions(joined));
 }
 
-/// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, and the last relay continues as
-/// Memory. A write of x is passed on to all parts that have x, one after the other, including the writer.
+/// Semantics 3.7, propagation: `Relay_x_i(v) = part_i::set_EXT_x!v -> Relay_x_i+1(v)`, and the last of these processes
+/// continues as Memory. A write of x is passed on to all parts that have x, one after the other, including the writer.
 void Definer::define_propagation(const SharedVariable& variable) {
     std::vector<std::size_t> readers;
     for (std::size_t i = 0; i < c_.parts.size(); ++i)
@@ -220,7 +222,7 @@ b::Exprs Definer::memory_sync() const {
     return result;
 }
 
-/// The propagation events and the writes that this variant hides.
+/// Returns the propagation events and the writes that this variant hides.
 ExprPtr Definer::hidden_writes(Writes shown) const {
     b::Exprs result;
     for (const SharedVariable& variable : c_.variables) {
@@ -240,13 +242,14 @@ ExprPtr Definer::visible_writes() const {
     return b::productions(result);
 }
 
-/// `P [| writes and propagation events |] MemoryStart__`.
+/// Returns `P [| writes and propagation events |] MemoryStart__`.
 ExprPtr Definer::with_memory(const ExprPtr& process) const {
     if (c_.variables.empty()) return process;
     return b::parallel(process, with_tock(memory_sync()), b::call("MemoryStart__", {b::name("id__")}));
 }
 
-/// `(P [| {from.out, to.in} |] Buffer_empty ...) \ {from, to}`, with one buffer for each asynchronous connection.
+/// Returns `(P [| {from.out, to.in} |] Buffer_empty ...) \ {from, to}`, with one buffer for each asynchronous
+/// connection.
 ExprPtr Definer::with_buffers(const ExprPtr& process) const {
     ExprPtr result = process;
     for (std::size_t i = 0; i < c_.buffers.size(); ++i) {
@@ -264,8 +267,8 @@ ExprPtr Definer::with_buffers(const ExprPtr& process) const {
 }
 
 /// Semantics 3.9 and 3.12: `((parts with buffers and memory) \ hidden writes) [| {terminate} |> SKIP`, so that the
-/// composition ends when its parts terminate together; a module hides `terminate`. In the timed semantics hidden
-/// events, and so propagation, have priority over tock (semantics 3.10).
+/// composition ends when its parts terminate together. A module hides `terminate`. In the timed semantics, hidden
+/// events have priority over tock (semantics 3.10), and therefore propagation does, too.
 ExprPtr Definer::variant_process(const std::string& part_variant, Writes shown) const {
     const ExprPtr inside = b::hide(with_memory(with_buffers(parts_process(part_variant))), hidden_writes(shown));
     const ExprPtr terminate = b::productions({b::name("terminate")});

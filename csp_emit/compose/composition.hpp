@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of controllers and modules: parts in parallel, synchronisation on connected events, propagation of
-// writes to shared variables (semantics 3.7, 3.9).
+// Emits the structure that controllers and modules share: parts in parallel, synchronisation on connected events,
+// propagation of writes to shared variables (semantics 3.7, 3.9).
 #pragma once
 
 #include <map>
@@ -46,22 +46,23 @@ struct Composition {
     std::vector<Buffer> buffers;
     bool hides_termination = false;  ///< true for modules
 
-    /// Renamings of each part's events, in order; the new names by event.
+    /// The new name of an event of a part.
     struct Target {
         std::string channel;   ///< "f", "stm0::x"
         bool swapped = false;  ///< `in` becomes `out` and vice versa
     };
     std::map<std::pair<std::size_t, std::string>, std::vector<Target>> targets;
-    /// Connected events of two parts: synchronised, hidden, and named as in the first part.
+    /// Connected events of two parts. They are synchronised, hidden, and named as in the first part.
     std::vector<std::tuple<std::size_t, std::size_t, std::string>> joined;
 };
 
-/// Records a connection. An end consists of a part and an event; without a part it is an end of the composition itself.
+/// Records a connection. An end consists of a part and an event. Without a part, it is an end of the composition
+/// itself.
 void connect_ends(Composition&, std::optional<std::size_t> from, const std::string& from_event,
                   std::optional<std::size_t> to, const std::string& to_event);
-/// Whether some part is too large to be compressed separately. The composition is then large too.
+/// True if some part is too large to be compressed separately. The composition is then large too.
 [[nodiscard]] bool is_large(const Composition&);
-/// Defines memory, buffers and the process variants.
+/// Defines the memory, the buffers and the process variants.
 void define_composition(const Composition&, std::vector<cspm::DeclPtr>& decls);
 
 }  // namespace robochart::csp_emit

@@ -94,7 +94,7 @@ void ControllerEmitter::add_constants(bool cycle) {
     }
 }
 
-/// The instance that declares a constant: the machine itself, or an operation that it calls.
+/// Returns the instance that declares a constant: the machine itself, or an operation that it calls.
 std::string ControllerEmitter::part_of(const std::string& instance, const ir::Machine& owner) const {
     for (std::size_t i = 0; i < controller().definitions.size(); ++i)
         if (&project().system.machine(controller().definitions[i]) == &owner)
@@ -102,7 +102,7 @@ std::string ControllerEmitter::part_of(const std::string& instance, const ir::Ma
     return instance;
 }
 
-/// The controller's parameter for a machine's constant; added if it does not exist yet.
+/// Returns the controller's parameter for a machine's constant. Adds it if it does not exist yet.
 std::string ControllerEmitter::constant_argument(const std::string& part, const ConstantParameter& constant) {
     // if the controller is checked separately, its own parameters replace constants of the platform
     const ir::Machine& owner = *constant.owner;
@@ -142,8 +142,8 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
                                                 owner, constant.id);
         const bool provided = source.constant != &owner.constants.at(constant.id.index);
         constant.source = source.name;
-        // RoboTool sets the part's constant to the machine's own. If a CSP block defines only the part's constant, the
-        // block's value applies.
+        // RoboTool sets the part's constant to the machine's own constant. If a CSP block defines only the part's
+        // constant, the block's value is used.
         const auto given = [&](const std::string& constant_name) {
             return context_.given != nullptr && context_.given->contains(constant_name);
         };

@@ -21,7 +21,7 @@ struct ControllerContext {
 };
 
 [[nodiscard]] ComponentEmission emit_controller(const ControllerContext&, Emitted&);
-/// The operations whose calls leave the controller, without duplicates, in order of declaration.
+/// Returns the operations whose calls leave the controller, without duplicates, in order of declaration.
 [[nodiscard]] std::vector<ir::OperationSignature> leaving_calls(const ir::System&, const ir::Controller&);
 
 }  // namespace robochart::csp_emit

@@ -26,7 +26,7 @@ const Register* find_register(const std::vector<Register>& list, const std::stri
     return found == list.end() ? nullptr : &*found;
 }
 
-/// An input that is an event; inputs that are variables have one type only.
+/// Returns the input event with this name. (Inputs that are variables have only one type.)
 const Register* find_input_event(const Registers& registers, const std::string& name) {
     const Register* found = find_register(registers.inputs, name, MeaningKind::trigger);
     return found != nullptr && found->event ? found : nullptr;
@@ -61,7 +61,7 @@ public:
         if (output) add_output(*declared, part, connection.origin.span);
     }
 
-    /// An event without a connection is read if a part has an input with the same name.
+    /// Adds reads of events without a connection. Such an event is read if a part has an input with the same name.
     void add_loose_inputs(const std::vector<ir::Event>& own) {
         for (const ir::Event& event : own) {
             const auto has_input = [&](const Registers& part) { return find_input_event(part, event.name) != nullptr; };
@@ -70,8 +70,8 @@ public:
         }
     }
 
-    /// A variable of the composition. Its register is outside the composition if the variable is required, and inside
-    /// otherwise.
+    /// Adds a variable of the composition. Its register is outside the composition if the variable is required, and
+    /// inside otherwise.
     void add_variable(const ir::Variable& variable, bool required, bool shown) {
         std::vector<RegisterOfPart> readers, writers;
         for (std::size_t i = 0; i < links_.parts.size(); ++i) {
@@ -147,7 +147,7 @@ private:
         return nullptr;
     }
 
-    /// An event from one part to another. Each input has one register, which several outputs may fill.
+    /// Adds an event from one part to another. Each input has one register, which several outputs may fill.
     void join(const ir::Connection& connection) {
         RegisterOfPart from{connection.from.part, connection.from.event};
         RegisterOfPart to{connection.to.part, connection.to.event};
@@ -172,7 +172,7 @@ private:
         links_.inner.push_back({to.name, true, type, nullptr, {from}, {to}});
     }
 
-    /// The declared initial value, or the default value of the type.
+    /// Returns the declared initial value, or the default value of the type.
     ExprPtr initial_of(const ir::Variable& variable) const {
         if (!variable.initial) return default_literal(project_, variable.type);
         const auto value = ir::evaluate_constant(project_.system, project_.instantiation, nullptr, *variable.initial);
@@ -249,8 +249,8 @@ void CycleDefiner::add_write(const RegisterOfPart& writer, const std::string& ou
     writes_.push_back({writer, output});
 }
 
-/// `||| own input i : registerRead.i?x -> (each part) part::registerRead.i!x -> SKIP`, in parallel with the reads of
-/// inner registers. Then the registers of events between parts are emptied.
+/// Returns `||| own input i : registerRead.i?x -> (each part) part::registerRead.i!x -> SKIP`, in parallel with the
+/// reads of inner registers. Then the registers of events between parts are emptied.
 ExprPtr CycleDefiner::reads_of_cycle() const {
     b::Exprs all;
     for (const Register& input : links_.registers.inputs) {
@@ -267,8 +267,8 @@ ExprPtr CycleDefiner::reads_of_cycle() const {
     return b::sequential({b::interleave(all), b::prefix(b::name("emptied__"), b::skip())});
 }
 
-/// `P = part::registerWrite.o?x -> registerWrite.o'!x -> P [] endexec -> SKIP`: a write is passed on before the next
-/// one is accepted. The limit of one write applies to the outputs of the composition, for all parts together. The
+/// Returns `P = part::registerWrite.o?x -> registerWrite.o'!x -> P [] endexec -> SKIP`: a write is passed on before the
+/// next one is accepted. The limit of one write applies to the outputs of the composition, for all parts together. The
 /// execution ends when the executions of all parts have ended.
 ExprPtr CycleDefiner::execution() const {
     std::vector<std::vector<ExprPtr>> limited;
@@ -305,7 +305,8 @@ void CycleDefiner::define_passing() {
         b::function_decl("PassOn__", {}, b::choice(ways), "a write is passed on before the next is taken"));
 }
 
-/// A variable: `V(x) = write?y -> V(y) [] read!x -> V(x)`. An event: empty, it has any value; full, the last one:
+/// Defines the process of an inner register. A variable: `V(x) = write?y -> V(y) [] read!x -> V(x)`. An event has any
+/// value while its register is empty (E), and the last value while it is full (F):
 ///     E = write?y -> F(y) [] read.false?_ -> E [] emptied -> E
 ///     F(x) = write?y -> F(y) [] read.true!x -> F(x) [] emptied -> E
 void CycleDefiner::define_inner(std::size_t number) {
@@ -348,7 +349,7 @@ b::Exprs CycleDefiner::events_of_inner() const {
     return result;
 }
 
-/// All events of parts that the composition hides.
+/// Returns all events of parts that the composition hides.
 b::Exprs CycleDefiner::events_of_parts() const {
     b::Exprs result;
     for (std::size_t i = 0; i < c_.parts.size(); ++i) {
@@ -367,7 +368,7 @@ ExprPtr CycleDefiner::part_process(std::size_t index, const std::string& variant
                      {{b::name(part.name + "::terminate"), b::name("terminate")}});
 }
 
-/// The parts synchronise on tock and on their end.
+/// Returns the parts in parallel. They synchronise on tock and on their end.
 ExprPtr CycleDefiner::parts_process(const std::string& variant) const {
     ExprPtr result = part_process(c_.parts.size() - 1, variant);
     for (std::size_t i = c_.parts.size() - 1; i-- > 0;)
@@ -375,8 +376,8 @@ ExprPtr CycleDefiner::parts_process(const std::string& variant) const {
     return result;
 }
 
-/// `((parts [| their registers, endexec, terminate, tock |] Cycle) [| inner registers |] ...) \ parts' events`, which
-/// ends with `terminate`.
+/// Returns `((parts [| their registers, endexec, terminate, tock |] Cycle) [| inner registers |] ...) \ parts' events`,
+/// which ends with `terminate`.
 ExprPtr CycleDefiner::whole(const std::string& variant) const {
     b::Exprs shared{b::name("terminate"), b::name("tock")};
     shared.insert(shared.end(), reads_.begin(), reads_.end());
@@ -397,7 +398,7 @@ ExprPtr CycleDefiner::whole(const std::string& variant) const {
             sync.push_back(b::name("emptied__"));
             hidden.push_back(b::name("emptied__"));
         }
-        // all events between parts are emptied at once
+        // the registers of all events between parts are emptied at once
         ExprPtr memory = memories.back();
         for (std::size_t i = memories.size() - 1; i-- > 0;) {
             const bool both =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: controllers and modules in cycles (docs/robosim.md). The cycle has the same phases as that of a machine. At
-// the beginning of a cycle, the composition reads its inputs and passes them to the parts. Then it passes on the writes
-// of the parts one by one. The execution of the composition ends when the executions of all parts have ended. A part
-// sees an event from another part only in the next cycle.
+// Emits RoboSim's controllers and modules in cycles (docs/robosim.md). The cycle has the same phases as that of a
+// machine. At the beginning of a cycle, the composition reads its inputs and passes them to the parts. Then it passes
+// on the writes of the parts one by one. The execution of the composition ends when the executions of all parts have
+// ended. A part sees an event from another part only in the next cycle.
 #pragma once
 
 #include <map>
@@ -25,19 +25,19 @@ struct InnerRegister {
     std::string name;
     bool event = false;
     ir::TypeId type;        ///< invalid for an event without a type
-    cspm::ExprPtr initial;  ///< of a variable
+    cspm::ExprPtr initial;  ///< the initial value of a variable
     std::vector<RegisterOfPart> writers, readers;
 };
 
-/// The registers of a composition, and their connections to the registers of its parts. If no member contains a
-/// register of a part, this register is not connected: an unconnected input has an arbitrary value in each cycle, and
-/// an unconnected output is discarded.
+/// The registers of a composition, and their connections to the registers of its parts. A register of a part that is in
+/// no member is not connected. An unconnected input has an arbitrary value in each cycle, and an unconnected output is
+/// discarded.
 struct CycleLinks {
     std::vector<Registers> parts;
     Registers registers;
     std::vector<Register> also_named;                            ///< outputs that occur only in the type of outputs
-    std::map<std::string, std::vector<RegisterOfPart>> inputs;   ///< by input of the composition
-    std::map<std::string, std::vector<RegisterOfPart>> outputs;  ///< by output of the composition
+    std::map<std::string, std::vector<RegisterOfPart>> inputs;   ///< by the composition's input
+    std::map<std::string, std::vector<RegisterOfPart>> outputs;  ///< by the composition's output
     std::vector<InnerRegister> inner;
 };
 

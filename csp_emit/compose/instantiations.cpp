@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defaults follow semantics 3.13. The finite sets themselves come from semantics/instantiate.
+// Writes the instantiations. Defaults follow semantics 3.13, and semantics/instantiate determines the finite sets.
 #include "csp_emit/compose/instantiations.hpp"
 
 #include <set>
@@ -20,7 +20,7 @@ using Op = cspm::ExprKind;
 
 namespace {
 
-/// `{a..b}` if the values are consecutive, `{a,c,...}` otherwise.
+/// Returns `{a..b}` if the values are consecutive, and `{a,c,...}` otherwise.
 ExprPtr number_set(const std::vector<std::int64_t>& values) {
     const bool range =
         !values.empty() && values.back() - values.front() == static_cast<std::int64_t>(values.size()) - 1;
@@ -30,7 +30,7 @@ ExprPtr number_set(const std::vector<std::int64_t>& values) {
     return b::set(items);
 }
 
-/// `F(e1__,e2__,T__) = if member(v,T__) then v else e1__`: RoboTool's clipping.
+/// Returns `F(e1__,e2__,T__) = if member(v,T__) then v else e1__`, which is RoboTool's clipping.
 DeclPtr clipped_function(const std::string& name, const ExprPtr& value, bool unary = false) {
     const std::vector<std::string> parameters =
         unary ? std::vector<std::string>{"e1__", "t__"} : std::vector<std::string>{"e1__", "e2__", "t__"};
@@ -70,7 +70,7 @@ void add_carriers(const Project& project, std::vector<DeclPtr>& decls) {
             decls.push_back(b::nametype(type_name(type), b::set_range(b::number(0), b::number(finite.given_size - 1))));
 }
 
-/// Defines every constant once, with the instantiation's value or the model's.
+/// Defines every constant once, with the value of the instantiation or of the model.
 class Constants {
 public:
     Constants(const Project& project, std::vector<DeclPtr>& decls) : project_(project), decls_(decls) {}
@@ -79,8 +79,8 @@ public:
         if (!seen_.insert(name).second) return;
         decls_.push_back(b::value(name, value_of(name, constant, machine)));
     }
-    /// A machine's constant in a controller has the value of the machine's own constant unless the instantiation
-    /// differs.
+    /// Defines a machine's constant in a controller. It has the value of the machine's own constant, unless the
+    /// instantiation gives it another value.
     void add_part(const std::string& name, const std::string& own, const ir::Constant& constant,
                   const ir::Machine& machine) {
         if (!seen_.insert(name).second) return;
@@ -105,8 +105,8 @@ private:
     static bool calls_function(const ir::Expr& part) {
         return part.kind == ir::ExprKind::call || part.kind == ir::ExprKind::function_value;
     }
-    /// The value of a constant. The script computes results of functions, because the user may define the functions
-    /// there.
+    /// Returns the value of a constant. The script computes results of functions, because the user may define the
+    /// functions there.
     ExprPtr computed_value(const ir::Constant& constant, const ir::Machine* machine) const {
         Scope scope;
         scope.constant = [machine](ir::ConstantId id) {
@@ -155,7 +155,7 @@ void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
         constants.add_constant(ir::constant_name("", simulation.name, ir::cycle_length), simulation.cycle, nullptr);
 }
 
-/// The preconditions of the functions that the condition calls, followed by the condition.
+/// Returns the preconditions of the functions that the condition calls, followed by the condition.
 b::Exprs with_preconditions(const Project& project, const ir::Expr& condition) {
     b::Exprs result = translate_preconditions(project, {}, condition);
     result.push_back(translate_expression(project, {}, condition));
@@ -168,7 +168,7 @@ b::Patterns parameters_of(const ir::Function& function) {
     return result;
 }
 
-/// `f(x) = body`; without parameters `f() = body`, as in RoboTool's instantiations.
+/// Returns `f(x) = body` or, without parameters, `f() = body`, as in RoboTool's instantiations.
 DeclPtr function_definition(const std::string& name, const ir::Function& function, const ExprPtr& body,
                             const std::string& comment = "") {
     cspm::Decl decl = *b::function_decl(name, {b::wildcard()}, body, comment);
@@ -176,7 +176,8 @@ DeclPtr function_definition(const std::string& name, const ir::Function& functio
     return std::make_shared<const cspm::Decl>(std::move(decl));
 }
 
-/// The default value if it satisfies the postconditions, otherwise the first value that does.
+/// Returns the expression for the default value if it satisfies the postconditions, and otherwise for the first value
+/// that does.
 ExprPtr search_result(const Project& project, const ir::Function& function) {
     b::Exprs conditions;
     for (const auto& condition : function.postconditions)
@@ -192,9 +193,9 @@ ExprPtr search_result(const Project& project, const ir::Function& function) {
                    b::if_(b::call("ok__", {constant}), constant, b::let_({b::value("found__", candidates)}, first)));
 }
 
-/// Functions in RoboChart have contracts and no bodies. The generated body returns a value that satisfies the
-/// postcondition. Without a postcondition it returns 0 or the first literal, as RoboTool's body does. The user may
-/// override it.
+/// Adds the functions. In RoboChart, functions have contracts and no bodies. The generated body returns a value that
+/// satisfies the postcondition. Without a postcondition it returns 0 or the first literal, as RoboTool's body does. The
+/// user may override it.
 void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
     for (const ir::Function& function : project.system.functions) {
         const bool specified = !function.postconditions.empty();
@@ -240,7 +241,7 @@ std::vector<DeclPtr> data_definitions(const Project& project) {
 
 namespace {
 
-/// The names that the script declares at top level, except those for records.
+/// Returns the names that the script declares at top level, except those for records.
 std::set<std::string> names_at_top(const ir::System& system) {
     std::set<std::string> names;
     const auto add_component = [&](const auto& component) {

@@ -65,8 +65,8 @@ void ModuleEmitter::declare_channels(std::vector<DeclPtr>& decls) {
     for (const ir::OperationSignature& call : calls_of_platform()) channels.declare_call(call);
 }
 
-/// Writes to provided variables are visible to the platform; an explicit initial value is propagated to the controllers
-/// at the start.
+/// Declares the platform's variables. Writes to provided variables are visible to the platform. An explicit initial
+/// value is propagated to the controllers at the start.
 void ModuleEmitter::declare_variables(std::vector<DeclPtr>& decls) {
     ChannelDeclarations channels(project(), context_.path, emitted_.provenance, decls);
     for (const ir::Variable& variable : platform().variables) {
@@ -107,7 +107,7 @@ void ModuleEmitter::add_constants(bool cycle) {
     }
 }
 
-/// The module's parameter for a controller's constant: the platform's constant if the controller requires it.
+/// Returns the module's parameter for a controller's constant: the platform's constant if the controller requires it.
 std::string ModuleEmitter::constant_argument(const ir::Controller& controller, const ConstantParameter& constant) {
     std::string name = constant.parameter;
     const bool own = constant.owner == nullptr && controller.constants.at(constant.id.index).required;

@@ -85,8 +85,8 @@ void SimulationEmitter::of_variable(const ir::Variable& variable, bool input) {
         {output_variable(variable.name, variable.type, variable.origin), own("set_" + variable.name), true});
 }
 
-/// The events that the component receives and sends, the operations that it calls, the variables that others write or
-/// that it writes. For a machine, only inputs and outputs in the contexts of the simulation are used.
+/// Finds the events that the component receives and sends, the operations that it calls, and the variables that it or
+/// others write. For a machine, only inputs and outputs in the contexts of the simulation are used.
 void SimulationEmitter::find_sides() {
     const ir::ComponentRef& subject = simulation_.subject;
     if (subject.kind == ir::ComponentKind::module) {
@@ -138,7 +138,7 @@ b::Exprs SimulationEmitter::external() const {
     return result;
 }
 
-/// The events of the component, and some of the module's.
+/// Returns the events of the component, and some of the module's.
 ExprPtr SimulationEmitter::with(b::Exprs events, std::initializer_list<const char*> more) const {
     for (const std::string name : more) {
         if ((name == "registerRead" && inputs_.empty()) || (name == "registerWrite" && outputs_.empty())) continue;
@@ -154,7 +154,7 @@ ExprPtr SimulationEmitter::reads() const {
     return b::interleave(all);
 }
 
-/// A1, for each input: `read?full?x -> if full then (M::e.in.x -> A1 [] A1) else A1`.
+/// Defines A1 for each input: `read?full?x -> if full then (M::e.in.x -> A1 [] A1) else A1`.
 void SimulationEmitter::define_inputs() {
     b::Exprs all;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
@@ -175,7 +175,7 @@ void SimulationEmitter::define_inputs() {
     decls_.push_back(b::function_decl("Inputs__", {}, b::interrupt(all.empty() ? b::stop() : b::interleave(all), end)));
 }
 
-/// A2: `A2(s, c) = M::o?x -> registerWrite.o.x -> A2(s - {o}, c), o in s  []  end  []  tock^c -> A2(all, c)`.
+/// Defines A2: `A2(s, c) = M::o?x -> registerWrite.o.x -> A2(s - {o}, c), o in s [] end [] tock^c -> A2(all, c)`.
 void SimulationEmitter::define_outputs() {
     const auto number = [](std::size_t i) { return b::number(static_cast<std::int64_t>(i)); };
     const auto call = [](const ExprPtr& left) { return b::call("Outputs__", {left, b::name("cycle__")}); };
@@ -196,7 +196,7 @@ void SimulationEmitter::define_outputs() {
     decls_.push_back(b::function_decl("Outputs__", b::variables({"s__", "cycle__"}), b::choice(ways)));
 }
 
-/// A3: `A3(c) = all reads ; (RUN(events of M) /\ (end [] tock^c -> A3(c)))`.
+/// Defines A3: `A3(c) = all reads ; (RUN(events of M) /\ (end [] tock^c -> A3(c)))`.
 void SimulationEmitter::define_turns() {
     const ExprPtr later =
         b::sequential({b::call("wait", {b::name("cycle__")}), b::call("Turns__", {b::name("cycle__")})});

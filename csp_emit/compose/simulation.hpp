@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: `simulation N of M`, a RoboChart component that runs in cycles, as RoboTool defines it (docs/robosim.md).
+// Emits RoboSim's `simulation N of M`: a RoboChart component that runs in cycles, as RoboTool defines it
+// (docs/robosim.md).
 #pragma once
 
 #include "csp_emit/base/component.hpp"
 
 namespace robochart::csp_emit {
 
-/// Emits the CSPM module of the simulation; its component must already have been emitted. With the events of M and its
+/// Emits the CSPM module of the simulation. Its component must already have been emitted. With the events of M and its
 /// `terminate` hidden,
 ///     N = prioritise(((M ; end -> SKIP) [| events of M, tock, end |] Assumptions) \ {events of M, end}, <{},{tock}>)
 /// where the assumptions, written with tock as an ordinary event, are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A clipping function returns its first operand if the result is not a value of the type.
+// Describes clipped calls. A clipping function returns its first operand if the result is not a value of the type.
 #include "csp_emit/expressions/clipping.hpp"
 
 #include <array>
@@ -21,7 +21,7 @@ const Operator* find_operator(const std::string& function) {
     return nullptr;
 }
 
-/// Whether the operation without clipping returns its first operand.
+/// True if the operation without clipping returns its first operand.
 bool keeps_first_operand(const std::string& function, std::int64_t a, std::int64_t b, std::int64_t scale) {
     if (function == "Plus" || function == "Minus") return b == 0;
     if (function == "Mult") return a == 0 || b == 1;
@@ -32,7 +32,7 @@ bool keeps_first_operand(const std::string& function, std::int64_t a, std::int64
     return a == 0;
 }
 
-/// The text of a number in the script; for a real with a scale, as a fraction.
+/// Returns the text of a number in the script. A real with a scale is written as a fraction.
 std::string number_text(const std::string& function, std::int64_t value, std::int64_t scale) {
     const bool real = scale != 1 && function.rfind("Real", 0) == 0;
     return real ? std::to_string(value) + "/" + std::to_string(scale) : std::to_string(value);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preconditions of the functions that an expression calls: `pre_f(args) & ...` before the statement or transition
-// (semantics 3.5). Preconditions of inner calls come first, because the precondition of an outer call may need their
-// values. Under a binder, the precondition is required for every value for which the body is evaluated.
+// Translates the preconditions of the functions that an expression calls: `pre_f(args) & ...` before the statement or
+// transition (semantics 3.5). Preconditions of inner calls come first, because the precondition of an outer call may
+// need their values. Under a binder, the precondition is required for every value for which the body is evaluated.
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/expressions/translator.hpp"
 #include "semantics/evaluate/preconditions.hpp"
@@ -40,8 +40,8 @@ b::Exprs Translator::preconditions(const ir::Expr& expr) const {
     return result;
 }
 
-/// The conditions hold for all values of the bound variables: preconditions of the predicate for all values,
-/// preconditions of the body for the values that satisfy the predicate.
+/// Returns the preconditions inside a binder, quantified over the bound variables. Those of the predicate must be true
+/// for all values, and those of the body for the values that satisfy the predicate.
 b::Exprs Translator::bound_preconditions(const ir::Expr& expr) const {
     b::Exprs result;
     std::vector<cspm::Clause> clauses = make_generators(expr);

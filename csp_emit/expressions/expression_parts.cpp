@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates values with parts. Vectors and matrices are tuples (of rows). The functions select and replace components,
-// and convert values between types that CSPM represents differently (semantics 3.13).
+// Translates composed values. A vector is a tuple, and a matrix is a tuple of rows. The functions select and replace
+// parts, and convert values between types that CSPM represents differently (semantics 3.13).
 #include <algorithm>
 
 #include "csp_emit/base/types.hpp"
@@ -24,12 +24,12 @@ cspm::PatternPtr pattern_of(b::Patterns parts) {
     return parts.size() == 1 ? parts[0] : b::tuple_pattern(std::move(parts));
 }
 
-/// The number if the index is a literal; otherwise null.
+/// Returns the number if the index is a literal, or null otherwise.
 const std::int64_t* literal_place(const ExprPtr& place) {
     return place->kind == Op::integer ? &place->number : nullptr;
 }
 
-/// `if index__ == 1 then first else ...`; indices out of range have no value.
+/// Returns `if index__ == 1 then first else ...`. An index out of range has no value.
 ExprPtr choose_by_index(const std::string& index, const b::Exprs& alternatives) {
     ExprPtr result = b::call("error", {b::string("index outside 1.." + std::to_string(alternatives.size()))});
     for (std::size_t i = alternatives.size(); i-- > 0;)
@@ -85,7 +85,7 @@ ExprPtr Translator::block_literal(const ir::Expr& expr) const {
     return block_value(shape, translate_operands(expr));
 }
 
-/// Arithmetic entry by entry: sums, differences, negation, products with a number.
+/// Translates arithmetic entry by entry: sums, differences, negation, products with a number.
 ExprPtr Translator::block_arithmetic(const ir::Expr& expr) const {
     const bool left_block = is_block(expr.args.at(0)->type);
     const bool binary = expr.args.size() > 1;
@@ -106,7 +106,7 @@ ExprPtr Translator::block_arithmetic(const ir::Expr& expr) const {
     return b::apply(b::lambda(patterns, block_value(shape, entries)), translate_operands(expr));
 }
 
-/// The product of two matrices, with sums from the left; the product of two vectors is the dot product.
+/// Returns the product of two matrices, or the dot product of two vectors. Sums are computed from the left.
 ExprPtr Translator::block_product(const ir::Expr& expr, const Block& left, const Block& right,
                                   ir::TypeId number) const {
     const bool dot = left.vector && right.vector;
@@ -143,7 +143,7 @@ ExprPtr Translator::transpose_block(const ir::Expr& expr) const {
 
 // ---------------------------------------------------------------- components
 
-/// Selects one component of a tuple by a lambda over its pattern.
+/// Selects one component of a tuple by a lambda with a tuple pattern.
 ExprPtr Translator::tuple_part(const ExprPtr& whole, std::size_t size, std::size_t place) const {
     if (size == 1) return whole;
     b::Patterns parts;
@@ -151,7 +151,7 @@ ExprPtr Translator::tuple_part(const ExprPtr& whole, std::size_t size, std::size
     return b::apply(b::lambda({b::tuple_pattern(parts)}, b::name("part__")), {whole});
 }
 
-/// An element of a sequence, vector or matrix, counted from 1.
+/// Returns an element of a sequence, vector or matrix, counted from 1.
 ExprPtr Translator::index_value(ir::TypeId id, const ExprPtr& whole, const b::Exprs& places) const {
     if (!is_block(id)) return b::call("access_", {whole, places.at(0)});
     const Block shape = block_shape(id);
@@ -185,7 +185,7 @@ ExprPtr Translator::replace_part(ir::TypeId id, const ExprPtr& whole, const b::E
     return b::call("update_", {whole, replace_part(found.args.at(0), old, path, from + 1, value), path[from]});
 }
 
-/// Fields are counted from 0, parts of tuples from 1; both are written as numbers.
+/// Replaces a field of a record or a part of a tuple. Fields are counted from 0, and parts of tuples from 1.
 ExprPtr Translator::replaced_field(const ir::Type& found, const ExprPtr& whole, const b::Exprs& path, std::size_t from,
                                    const ExprPtr& value) const {
     const std::int64_t number = path[from]->number - (found.kind == TypeKind::record ? 0 : 1);
@@ -247,7 +247,7 @@ std::vector<ir::TypeId> tuple_types(const ir::Type& type) {
 
 }  // namespace
 
-/// The two types of a relation, function or set of pairs; otherwise empty.
+/// Returns the two types of a relation, function or set of pairs, or an empty result for other types.
 std::vector<ir::TypeId> Translator::pair_types(const ir::Type& found) const {
     if (found.kind == TypeKind::relation || found.kind == TypeKind::function) return found.args;
     if (found.kind != TypeKind::set) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles one case per ExprKind. There is no default case, so that the compiler finds a missing kind.
+// Translates each ExprKind. The switch has no default case, so that the compiler finds a missing kind.
 #include "csp_emit/expressions/expressions.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ ExprPtr Translator::report_unsupported(const std::string& what, const ir::Expr& 
     return b::number(0);
 }
 
-/// A decimal in units of 1/scale. The scale is chosen from the model's literals, so no literal is rounded.
+/// Returns a decimal in units of 1/scale. The scale is chosen from the model's literals, so no literal is rounded.
 ExprPtr Translator::real_literal(const ir::Expr& expr) const {
     const auto units = ir::scale_decimal(expr.decimal, scale());
     return units ? b::number(*units) : report_unsupported("a real literal beyond 64 bits", expr);
@@ -116,7 +116,7 @@ ExprPtr Translator::translate_arithmetic(const ir::Expr& expr) const {
         return report_unsupported("arithmetic on a type that is not a number", expr);
     b::Exprs operands;
     for (const auto& part : expr.args) operands.push_back(as_type(*part, expr.type));
-    // RoboTool's clock bounds divide by 1 if a value of the type is 0; the guard itself does not.
+    // RoboTool's clock bounds divide by 1 in the place of 0. The guard itself does not.
     const bool divides = expr.kind == ExprKind::divide || expr.kind == ExprKind::modulus;
     if (divides && !scope_.placed && operands[1]->kind != Op::integer)
         operands[1] = b::call("no_zero_div", {operands[1]});
@@ -142,7 +142,7 @@ ExprPtr Translator::translate_cast(const ir::Expr& expr) const {
     return convert_value(translate(inner), inner.type, expr.type);
 }
 
-/// `member(v,T)`; a real must also be a whole number.
+/// Translates a type test to `member(v,T)`. A real must also be a whole number.
 ExprPtr Translator::type_test(const ir::Expr& expr) const {
     const ir::TypeId tested = expr.bound_types.at(0);
     const ir::TypeId own = expr.args.at(0)->type;
@@ -158,7 +158,7 @@ ExprPtr Translator::type_test(const ir::Expr& expr) const {
         {value});
 }
 
-/// `{low..high}` for whole numbers; for reals, the values of the type within the bounds.
+/// Returns `{low..high}` for whole numbers. For reals, returns the values of the type within the bounds.
 ExprPtr Translator::translate_range(const ir::Expr& expr) const {
     const bool open_low = expr.number == 1 || expr.number == 3;
     const bool open_high = expr.number >= 2;
@@ -175,7 +175,8 @@ ExprPtr Translator::translate_range(const ir::Expr& expr) const {
                                          b::condition(b::binary(open_high ? Op::less : Op::less_equal, elem, high))});
 }
 
-/// A function is applied even if it has no arguments: RoboTool's instantiations define `f() = 0`.
+/// Translates a call. A function is applied even if it has no arguments, because RoboTool's instantiations define `f()
+/// = 0`.
 ExprPtr Translator::translate_call(const ir::Expr& expr) const {
     return b::apply(b::name(function_name(project_.system.functions.at(expr.function.index))), call_arguments(expr));
 }
@@ -213,7 +214,7 @@ ExprPtr Translator::translate_application(const ir::Expr& expr) const {
     return b::call("callFunc", {function, tuple_or_one(arguments)});
 }
 
-/// `{(x,f(x)) | x <- T}`, restricted to the x that satisfy the precondition.
+/// Returns `{(x,f(x)) | x <- T}`, restricted to the x that satisfy the precondition.
 ExprPtr Translator::function_value(const ir::Expr& expr) const {
     const ir::Function& function = project_.system.functions.at(expr.function.index);
     std::vector<cspm::Clause> clauses;
@@ -243,14 +244,15 @@ ExprPtr Translator::bound_tuple(const ir::Expr& expr) {
     return tuple_or_one(bound);
 }
 
-/// The generators of the bound variables, and the predicate.
+/// Returns the generators of the bound variables, and the predicate.
 std::vector<cspm::Clause> Translator::satisfying_clauses(const ir::Expr& expr) const {
     std::vector<cspm::Clause> clauses = make_generators(expr);
     if (expr.args.at(0)) clauses.push_back(b::condition(translate_operand(expr, 0)));
     return clauses;
 }
 
-/// The bound values that satisfy the predicate and the body; with `negated`, the predicate and not the body.
+/// Returns the bound values that satisfy the predicate and the body or, if `negated` is true, the predicate but not the
+/// body.
 ExprPtr Translator::witness_set(const ir::Expr& expr, bool negated) const {
     std::vector<cspm::Clause> clauses = satisfying_clauses(expr);
     const ExprPtr body = translate_operand(expr, 1);
@@ -258,7 +260,7 @@ ExprPtr Translator::witness_set(const ir::Expr& expr, bool negated) const {
     return b::set_comprehension({bound_tuple(expr)}, clauses);
 }
 
-/// The values of the body, or the bound values if there is no body.
+/// Returns the values of the body, or the bound values if there is no body.
 ExprPtr Translator::translate_comprehension(const ir::Expr& expr) const {
     const std::vector<cspm::Clause> clauses = satisfying_clauses(expr);
     return b::set_comprehension({expr.args.size() > 1 ? translate_operand(expr, 1) : bound_tuple(expr)}, clauses);

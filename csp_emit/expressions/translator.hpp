@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The class that implements expressions.hpp, with one member function for each family of ir::ExprKind, in three
-// sources. Private to csp_emit. Its templates bind only names that end in `__`. These names are reserved (names.cpp),
-// so an expression inserted into a template never contains them as free names.
+// Declares the class that implements expressions.hpp. It has one member function for each family of ir::ExprKind, in
+// three sources. Private to csp_emit. Its templates bind only names that end in `__`. These names are reserved
+// (names.cpp), so an expression inserted into a template never contains them as free names.
 #pragma once
 
 #include "checker/cspm/syntax/build.hpp"
@@ -20,7 +20,7 @@ public:
     /// Returns `whole` with the part at `path[from..]` replaced by `value`.
     cspm::ExprPtr replace_part(ir::TypeId type, const cspm::ExprPtr& whole, const cspm::build::Exprs& path,
                                std::size_t from, const cspm::ExprPtr& value) const;
-    /// Whether the conversion would turn reals into whole numbers, which is undefined for some reals.
+    /// True if the conversion would turn reals into whole numbers, which is undefined for some reals.
     bool narrows_numbers(ir::TypeId from, ir::TypeId to) const;
     cspm::ExprPtr convert_value(const cspm::ExprPtr& value, ir::TypeId from, ir::TypeId to) const;
 

@@ -26,7 +26,7 @@ std::vector<std::string> parameters_with(const MachineTables& tables, const std:
     return result;
 }
 
-/// The states and final states. Each has an event `entered`.
+/// Returns the states and final states. Each has an event `entered`.
 std::vector<ir::NodeId> ModuleDeclarations::entered_states() const {
     std::vector<ir::NodeId> result;
     for (std::uint32_t i = 0; i < tables_.machine().nodes.size(); ++i)
@@ -75,7 +75,7 @@ void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
     for (DeclPtr& channel : memory_channels(remembered_)) decls.push_back(std::move(channel));
 }
 
-/// RoboSim: the registers, the end and the beginning of the execution.
+/// RoboSim: declares the registers, and the beginning and the end of the execution.
 void ModuleDeclarations::declare_cycle_channels(std::vector<DeclPtr>& decls) {
     Registers registers = registers_of(tables_.machine());
     if (is_operation()) registers.inputs.clear();  // without a cycle, no inputs are read
@@ -153,7 +153,7 @@ void ModuleDeclarations::declare_states(std::vector<DeclPtr>& decls) {
         if (DeclPtr state = state_module(node)) decls.push_back(state);
 }
 
-/// `module S exports channel entered ... endmodule`, with the modules of inner states inside.
+/// Returns `module S exports channel entered ... endmodule`, with the modules of inner states inside.
 DeclPtr ModuleDeclarations::state_module(ir::NodeId id) {
     const ir::Node& node = tables_.machine().nodes[id.index];
     if (node.kind != NodeKind::state && node.kind != NodeKind::final) return nullptr;
@@ -183,7 +183,8 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
         entered.push_back(b::name(tables_.machine().nodes[state.index].path + "::entered"));
     for (const ExprPtr& channel : visible) {
         const bool register_channel = channel->text == "registerRead" || channel->text == "registerWrite";
-        const bool replaced = tables_.machine().robosim && register_channel;  // by its constructors
+        // The constructors of a register channel replace the channel.
+        const bool replaced = tables_.machine().robosim && register_channel;
         if (channel->kind == cspm::ExprKind::name && !replaced) visible_.push_back(channel->text);
     }
     decls.push_back(b::value("sem__events", b::productions(visible)));
@@ -192,8 +193,8 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
     decls.push_back(b::value("internal_events", b::productions(tables_.events.declared_channels())));
 }
 
-/// RoboSim: the events of the cycle. A machine hides the event for the beginning of the execution. For an operation
-/// that is checked separately, this event is visible.
+/// RoboSim: adds the events of the cycle. A machine hides the event for the beginning of the execution. For an
+/// operation that is checked separately, this event is visible.
 void ModuleDeclarations::add_cycle_events(b::Exprs& visible) {
     Registers registers = registers_of(tables_.machine());
     if (is_operation()) registers.inputs.clear();
@@ -204,7 +205,7 @@ void ModuleDeclarations::add_cycle_events(b::Exprs& visible) {
     visible_ = visible_registers(registers);
 }
 
-/// RoboSim: the machine in parallel with the process of its cycles,
+/// RoboSim: returns the machine in parallel with the process of its cycles,
 ///     (Cycle__(c) [| registers, startexec, endexec, terminate, tock |] machine) \ {startexec}.
 ExprPtr ModuleDeclarations::in_cycles(const ExprPtr& machine, std::vector<DeclPtr>& decls) const {
     const Registers registers = registers_of(tables_.machine());

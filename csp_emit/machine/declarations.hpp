@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around the
-// functions of the points.
+// Builds the machine's module: the functions of the points, with RoboTool's channels, event sets and process variants
+// (semantics 3.2, 3.12).
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace robochart::csp_emit {
 
-/// The parameters of a process: `id__`, the operation's parameters, then the given constants in order of declaration
-/// (semantics 3.12).
+/// Returns the parameters of a process: `id__`, the operation's parameters, then the given constants in order of
+/// declaration (semantics 3.12).
 [[nodiscard]] std::vector<std::string> parameters_with(const MachineTables&, const std::vector<std::string>& constants);
 
 /// Builds the declarations of the module. It stores what several declarations need: the calls and clock events in the
@@ -25,7 +25,7 @@ public:
 
     /// Returns the module with the definitions of the points. `initial` is the machine's process.
     [[nodiscard]] cspm::DeclPtr make_module(const std::vector<cspm::DeclPtr>& points, const cspm::ExprPtr& initial);
-    /// Channels of `sem__events`; valid after the module has been made.
+    /// Returns the channels of `sem__events`. Valid after the module has been made.
     [[nodiscard]] const std::vector<std::string>& visible_channels() const { return visible_; }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One machine as one sequential process: mutually recursive functions, one for each reachable configuration, whose
-// parameters are the machine's constants, variables, clocks and counters (semantics 3.3 to 3.8, 3.10, 3.11).
+// Emits a machine as one sequential process (semantics 3.3 to 3.8, 3.10, 3.11). The process consists of mutually
+// recursive functions, one for each reachable configuration. Their parameters are the machine's constants, variables,
+// clocks and counters.
 //
 // During the emission, MachineTables (tables/machine_tables.hpp) owns all data about the machine, in one class for each
 // kind of data. A class depends only on the classes that this list names before it. CallGraph contains the called

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The phases of a machine's emission: explore, give parameters, choose memories, declare.
+// Performs the phases of a machine's emission: explores its configurations, gives parameters to functions, chooses
+// memories, and declares the module.
 #include "csp_emit/machine/machine_module.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// The names of the parameters that the probabilities of transitions from a junction read.
+/// Adds the names of the parameters that the probabilities of transitions from a junction read.
 void add_weights(const Frame& frame, ir::NodeId junction, const ParameterTable& cells, std::vector<std::string>& read) {
     for (const ir::Transition& way : frame.machine->transitions) {
         if (way.source != junction || !way.probability) continue;
@@ -33,8 +34,8 @@ void add_weights(const Frame& frame, ir::NodeId junction, const ParameterTable& 
     }
 }
 
-/// For each point, the parameters that it must have because a machine or operation is at a probabilistic junction in
-/// this point.
+/// Returns, for each point, the parameters that it must have because a machine or operation is at a probabilistic
+/// junction.
 std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) {
     std::vector<std::vector<std::string>> result;
     for (const Point& point : tables.points.all()) {
@@ -49,7 +50,7 @@ std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) 
     return result;
 }
 
-/// All possible parameters of points: the constants, then the cells in order of creation.
+/// Returns all possible parameters of points: the constants, then the cells in order of creation.
 Candidates parameter_candidates(const MachineTables& tables) {
     Candidates result;
     result.names = tables.calls.constants_inside();
@@ -66,7 +67,7 @@ Candidates parameter_candidates(const MachineTables& tables) {
     return result;
 }
 
-/// Values for arguments that are never read. They are chosen so that the process has few states.
+/// Returns values for arguments that are never read. They are chosen so that the process has few states.
 std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
     std::map<std::string, ExprPtr> result;
     for (const ConstantParameter& constant : tables.calls.constants())
@@ -100,8 +101,8 @@ Parameters parameters_of(const std::vector<Function>& functions) {
     return result;
 }
 
-/// The definitions of the points and of the memories, return points and sets of events that they use. `needed`
-/// contains, for each function, the variables that it reads or passes on, as a parameter or through a memory.
+/// Returns the definitions of the points and of the memories, return points and sets of events that they use. `needed`
+/// contains, for each function, the variables that it reads or passes on, whether they are parameters or in memories.
 std::vector<cspm::DeclPtr> make_definitions(MachineTables& tables, std::vector<Function>& functions,
                                             const std::vector<Remembered>& remembered, const Parameters& needed) {
     std::vector<cspm::DeclPtr> result = memory_definitions(remembered, tables.timed());
@@ -125,8 +126,8 @@ std::vector<cspm::DeclPtr> make_definitions(MachineTables& tables, std::vector<F
     return result;
 }
 
-/// The parameters of an operation that is checked separately. In assertions they have the same form of names as
-/// constants, but another prefix (ir::Property::constants).
+/// Returns the parameters of an operation that is checked separately. Their names in assertions are like those of
+/// constants, but with another prefix (ir::Property::constants).
 std::vector<ArgumentParameter> arguments_of(const ir::Machine& machine) {
     std::vector<ArgumentParameter> result;
     for (const ir::Variable& variable : machine.variables) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CSPM module of a machine in one place.
+// Emits the CSPM module of a machine in one place of the model: separately, in a controller, or in a module.
 #pragma once
 
 #include "csp_emit/base/component.hpp"

@@ -77,8 +77,8 @@ void DefinitionMeanings::add_parameters(const Function& function, DefinitionMean
     }
 }
 
-/// The active states: states that have been entered and not left yet, and their parents. They are in the order of the
-/// calls.
+/// Returns the active states: states that have been entered and not left yet, and their parents. The states of a caller
+/// come before those of the called operation.
 std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const {
     std::vector<ir::Origin> result;
     for (const RunningMachine& running : now.machines) {
@@ -129,7 +129,7 @@ std::vector<DefinitionMeanings::Offer> DefinitionMeanings::offers_of(const View&
     return result;
 }
 
-/// The input of a transition with a trigger.
+/// Returns the offer of a transition with a trigger, which is an input.
 DefinitionMeanings::Offer DefinitionMeanings::make_offer(const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t frame = running.activation->frame;
     const ir::Machine& owner = *tables_.frames[frame].machine;
@@ -143,7 +143,7 @@ DefinitionMeanings::Offer DefinitionMeanings::make_offer(const RunningMachine& r
     return known;
 }
 
-/// The event of a statement: a communication, a call that leaves the machine, a write.
+/// Returns the offer of a statement: a communication, a call that leaves the machine, or a write.
 DefinitionMeanings::Offer DefinitionMeanings::make_offer(const RunningThread& running) {
     const Item& item = running.head();
     const Frame& frame = tables_.frames[running.frame()];

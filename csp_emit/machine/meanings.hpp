@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Describes the definitions of a machine in terms of the model: the active states, the content of each parameter, and
-// the transition or statement that causes each event offered by the configuration.
+// the transition or statement that causes each offered event.
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@
 
 namespace robochart::csp_emit {
 
-/// Owns the meanings of offers (events that configurations offer). Several definitions may share a meaning.
+/// Owns the meanings of offers, which are the events that configurations offer. Several definitions may share a
+/// meaning.
 class DefinitionMeanings {
 public:
     explicit DefinitionMeanings(const MachineTables& tables) : tables_(tables) {}
@@ -31,7 +32,7 @@ private:
     Offer make_offer(const RunningThread&);
 
     const MachineTables& tables_;
-    std::map<std::pair<std::uint32_t, std::string>, Offer> offers_;  ///< by frame
+    std::map<std::pair<std::uint32_t, std::string>, Offer> offers_;  ///< by frame and key of the element
 };
 
 }  // namespace robochart::csp_emit

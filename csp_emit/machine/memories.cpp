@@ -15,7 +15,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// The number of values that a cell may have. If the type is unknown, a small number is assumed.
+/// Returns the number of values that a cell may have. If the type is unknown, a small number is assumed.
 double values_of(const MachineTables& tables, const Cell& cell) {
     const Project& project = tables.project();
     constexpr std::size_t many = 1'000;
@@ -33,8 +33,8 @@ double values_of(const MachineTables& tables, const Cell& cell) {
     }
 }
 
-/// An upper bound on the number of states of the machine's process if these variables are in memories, computed from
-/// the sizes of the carriers.
+/// Returns an upper bound on the number of states of the machine's process if these variables are in memories, computed
+/// from the sizes of the carriers.
 double estimate_states(const std::vector<Function>& functions, const Evaluations& evaluations,
                        const std::map<std::string, double>& sizes, const std::vector<Remembered>& remembered) {
     const auto held = evaluations.held_variables(remembered);
@@ -53,7 +53,7 @@ double estimate_states(const std::vector<Function>& functions, const Evaluations
     return sum;
 }
 
-/// The machine's variables, own and shared, sorted by the size of their types, largest first.
+/// Returns the machine's variables, own and shared, sorted by the size of their types, largest first.
 std::vector<CellId> by_size(const MachineTables& tables) {
     const ParameterTable& cells = tables.cells;
     std::vector<CellId> result;
@@ -110,9 +110,9 @@ std::vector<Remembered> choose_memories(MachineTables& tables, const std::vector
         return options.whole_states ||
                estimate_states(functions, evaluations, sizes, first) <= options.states_of_a_process;
     };
-    // The estimate decreases with every variable that is moved to a memory. One reason is that the variable then counts
-    // only in functions that hold it. The other is that the sets of variables that are held because of it become
-    // smaller. Because the estimate is monotone, a binary search is possible.
+    // The estimate decreases with every variable that is moved to a memory. The variable then counts only in functions
+    // that lock its memory, and fewer other variables are locked together with it. Because the estimate is monotone, a
+    // binary search is possible.
     std::size_t least = 0;
     std::size_t most = candidates.size();
     while (least < most) {

@@ -9,8 +9,8 @@
 
 namespace robochart::csp_emit {
 
-/// Returns the largest variables, as few as possible, so that the process whose parameters are the other variables
-/// stays small enough (Options::states_of_a_process).
+/// Returns the variables that get memories. They are the largest variables, and as few as possible such that the
+/// process with the other variables as parameters is small enough (Options::states_of_a_process).
 [[nodiscard]] std::vector<Remembered> choose_memories(MachineTables&, const std::vector<Function>& functions);
 
 }  // namespace robochart::csp_emit

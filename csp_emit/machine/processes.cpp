@@ -20,19 +20,20 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// Maximal number of statements executed before a new function begins; bounds recursion and the size of expressions.
+/// The maximal number of statements executed before a new function begins. It limits the recursion and the size of
+/// expressions.
 constexpr std::size_t max_run = 100;
 
-/// An operation without a body: `SKIP |~| STOP`; `SKIP` if it is declared `terminates`. In the timed semantics it may
-/// end at any time.
+/// Returns the process of an operation without a body: `SKIP |~| STOP`, or `SKIP` if it is declared `terminates`. In
+/// the timed semantics it may end at any time.
 ExprPtr without_body(const MachineTables& tables) {
     const ExprPtr skip = tables.timed() ? b::name("SKIP_ANYTIME") : b::skip();
     const ExprPtr stop = tables.timed() ? b::call("RUN", {b::set({b::name("tock")})}) : b::stop();
     return tables.machine().terminates ? skip : b::internal_choice({skip, stop});
 }
 
-/// The initial values. The parameters of an operation that is checked separately have the values that the caller
-/// passes.
+/// Returns the initial values. The parameters of an operation that is checked separately have the values that the
+/// caller passes.
 Values initial_values(MachineTables& tables) {
     Values result;
     const Frame& root = tables.frames.root_frame();
@@ -47,7 +48,7 @@ Values initial_values(MachineTables& tables) {
     return result;
 }
 
-/// Whether the branch receives the event as an input.
+/// True if the branch receives the event as an input.
 bool is_input_of(const cspm::Expr& branch, const std::string& event) {
     const cspm::Expr& prefix = branch.kind == cspm::ExprKind::guard ? *branch.args[1] : branch;
     if (prefix.kind != cspm::ExprKind::prefix || prefix.args[0]->kind != cspm::ExprKind::dot) return false;
@@ -99,13 +100,13 @@ std::vector<Function> Processes::make_functions() {
     return functions;
 }
 
-/// Whether the configuration is the end of a shared operation.
+/// True if the configuration is the end of a shared operation.
 bool Processes::returns_to_caller(const Activation& config) const {
     return config.frame != 0 && is_final(tables_, config);
 }
 
-/// The process in this configuration with these values: executes all steps that need no event, then calls the function
-/// of the resulting point.
+/// Returns the process in this configuration with these values. It executes all steps that need no event, and then
+/// calls the function of the resulting point.
 ExprPtr Processes::process_at(const Activation& config, const Values& values) {
     if (tables_.points.has_overflowed()) return b::stop();  // reported already
     if (run_ >= max_run) return call_point(config, values);
@@ -176,9 +177,9 @@ void Processes::add_branches(const std::vector<Branch>& branches, std::vector<Ex
     for (const Branch& branch : branches) out.push_back(to_process(branch));
 }
 
-/// The external choice of the branches of the configuration. If the machine is a copy that observes when an event is
-/// offered (MachineContext::offered), the point first performs an event that shows whether the machine is in the state,
-/// and a parameter records this. The other branches are offered only after this event.
+/// Returns the external choice of the branches of the configuration. If the machine is a copy that observes when an
+/// event is offered (MachineContext::offered), the point first performs an event that shows whether the machine is in
+/// the state, and a parameter records this. The other branches are offered only after this event.
 ExprPtr Processes::choice_of_branches(const Activation& config) {
     const b::Exprs all = make_branches(config);
     if (!passed_) return b::choice(all);
@@ -199,7 +200,8 @@ ExprPtr Processes::choice_of_branches(const Activation& config) {
     return b::choice(result);
 }
 
-/// First `shown__` with the truth of each fact, then the branches. The event changes neither values nor configuration.
+/// Returns the event `shown__` with the truth of each fact, followed by the branches. The event changes neither values
+/// nor configuration.
 ExprPtr Processes::show_facts(const Activation& config, const b::Exprs& branches) {
     const auto behind = [&](std::int64_t value) {
         return b::binary(cspm::ExprKind::equal, tables_.cells.parameter_name(*passed_), b::number(value));
@@ -238,14 +240,14 @@ ExprPtr Processes::body_of(const Activation& config) {
     return tables_.watch.with_reset(ends ? b::skip() : choice_of_branches(config));
 }
 
-/// The body of the function that continues after a shared call.
+/// Returns the body of the function that continues after a shared call.
 ExprPtr Processes::body_after_call(const Continuation& continuation) {
     run_ = 0;
     branching_ = 0;
     return process_at(continuation.config, tables_.sharing.stack_after_call(continuation));
 }
 
-/// A clock of the caller is read before any guard is evaluated (clocks_needed).
+/// Returns the branches that read a clock of the caller. It is read before any guard is evaluated (clocks_needed).
 std::vector<ExprPtr> Processes::reading_branches(const Activation& config, const View& now, CellId clock) {
     std::vector<ExprPtr> result;
     Activation next = config;
@@ -277,7 +279,7 @@ std::vector<ExprPtr> Processes::make_branches(const Activation& settled) {
     config.clocks_read = 0;
     const View now = view_of(config);
     std::vector<ExprPtr> result;
-    // Visible termination, then ✓ (semantics 3.9).
+    // A visible termination is followed by ✓ (semantics 3.9).
     if (is_final(tables_, config)) result.push_back(b::prefix(b::name("terminate"), b::skip()));
     for (const RunningMachine& running : now.machines)
         for (const ir::TransitionId id : outgoing_transitions(tables_, *running.activation))

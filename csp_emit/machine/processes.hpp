@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts configurations to functions: the rules are applied from the initial configuration. Each configuration that
-// waits for an event gets a function, whose body is the external choice of its branches.
+// Converts configurations to functions. The rules are applied from the initial configuration on. Each configuration
+// that waits for an event gets a function, and the body of the function is the external choice of its branches.
 //
 // A step that needs no event is executed at once by changing arguments. A step that needs an event is a branch. A step
 // gets its own hidden event if something else could happen between it and its neighbours: an external write to a
@@ -20,11 +20,11 @@ class Processes {
 public:
     explicit Processes(MachineTables&);
 
-    /// The machine's process at its start.
+    /// Returns the machine's process at its start.
     [[nodiscard]] cspm::ExprPtr initial_process();
-    /// The functions of all points reachable from the initial one, in order, then the functions that continue after
-    /// shared calls. The body of one function may add further points and return points. Calls between the functions are
-    /// sparse (liveness.hpp).
+    /// Returns the functions of all points reachable from the initial one, in order, then the functions that continue
+    /// after shared calls. The body of one function may add further points and return points. Calls between the
+    /// functions are sparse (liveness.hpp).
     [[nodiscard]] std::vector<Function> make_functions();
 
 private:
@@ -45,7 +45,7 @@ private:
     MachineTables& tables_;
     std::size_t run_ = 0;           ///< number of statements executed since the last function began
     std::size_t branching_ = 0;     ///< number of enclosing conditionals
-    bool after_tock_ = false;       ///< the branch of a tock is being emitted
+    bool after_tock_ = false;       ///< the current branch is that of a tock
     std::optional<CellId> passed_;  ///< for MachineContext::offered and shown: 1 after the point has performed the
                                     ///< event that shows its facts
     bool passing_ = false;          ///< the call after that event of the point is being emitted

@@ -20,7 +20,7 @@ bool mentions_name(const Expr& expr, const std::string& name) {
     return found;
 }
 
-/// Whether the branch is `c -> P`, or `c?x -> P` with a P that does not use x.
+/// True if the branch is `c -> P`, or `c?x -> P` with a P that does not use x.
 bool only_event_matters(const Expr& branch) {
     if (branch.kind != cspm::ExprKind::prefix || branch.args[0]->kind != cspm::ExprKind::name) return false;
     if (branch.fields.empty()) return true;
@@ -62,7 +62,8 @@ private:
         return b::choice(result);
     }
 
-    /// The events of branch `first` and of later branches with the same continuation. Removes the later branches.
+    /// Returns the events of branch `first` and of later branches with the same continuation. Removes the later
+    /// branches.
     static b::Exprs take_alike_branches(b::Exprs& branches, std::size_t first) {
         const ExprPtr& model = branches[first];
         b::Exprs result{model->args[0]};

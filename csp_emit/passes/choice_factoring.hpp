@@ -18,7 +18,7 @@ struct NamedSet {
     cspm::ExprPtr events;
 };
 
-/// Rewrites the bodies. `known` contains the sets that already have names; the function appends each set that it names.
+/// Rewrites the bodies. `known` contains the sets that already have names. The function appends each set that it names.
 void gather_alike_branches(std::vector<Function>& functions, NameManager& names, std::vector<NamedSet>& known);
 
 }  // namespace robochart::csp_emit

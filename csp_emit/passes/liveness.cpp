@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A parameter is live if its name occurs in the body outside calls within the family, or in an argument for a live
-// parameter; a parameter that a call does not mention keeps its value. A backward analysis along the calls finds the
-// least such set. A shared function has the parameters that any of its calls need. A call passes on only the parameters
-// that the function itself reads or that are read after this call; the values of other parameters are arbitrary.
+// Computes live parameters. A parameter is live if its name occurs in the body outside calls within the family, or in
+// an argument for a live parameter. A parameter that a call does not mention keeps its value. A backward analysis along
+// the calls finds the least such set. A shared function has the parameters that any of its calls need. A call passes on
+// only the parameters that the function itself reads or that are read after this call. The values of other parameters
+// are arbitrary.
 #include "csp_emit/passes/liveness.hpp"
 
 #include <optional>
@@ -58,10 +59,10 @@ private:
                                  ///< such names
     FamilyIndex index_;
     std::unordered_map<std::string, std::size_t> number_;  ///< index of each candidate; never iterated
-    std::vector<Names> used_;                              ///< by function; last: the initial process
+    std::vector<Names> used_;                              ///< by function, then the initial process
     std::vector<Call> calls_;
     std::map<const Expr*, std::size_t> call_of_;
-    std::vector<std::vector<std::size_t>> calls_to_;    ///< by function
+    std::vector<std::vector<std::size_t>> calls_to_;    ///< by function: the calls of it
     std::vector<std::vector<std::size_t>> calls_over_;  ///< by function: the calls after which it continues
     std::set<std::size_t> returning_;                   ///< functions that continue after calls
     Live live_, within_;                                ///< live; live before the current operation returns
@@ -111,7 +112,7 @@ void Family::survey_expression(std::size_t caller, const Expr& expr) {
     for_each_part(expr, [&](const Expr& part) { survey_expression(caller, part); });
 }
 
-/// For a value of the stack: the functions that continue at the return addresses in the value.
+/// Returns, for a value of the stack, the functions that continue at the return addresses in the value.
 std::vector<std::size_t> Family::continuations_after(const Expr& value) const {
     std::vector<std::size_t> result;
     for (auto found = candidates_.entries.find(&value); found != candidates_.entries.end();
@@ -140,7 +141,7 @@ const Expr* Family::ticking_value(std::size_t parameter) const {
     return found == candidates_.ticking.end() ? nullptr : found->second.get();
 }
 
-/// The parameters that the caller must have in order to pass this parameter.
+/// Returns the parameters that the caller must have in order to pass this parameter.
 const Names& Family::passed_names(const Call& call, std::size_t parameter, Names& storage) const {
     if (const auto found = call.given.find(parameter); found != call.given.end()) return found->second;
     const Expr* counting = call.after_tock ? ticking_value(parameter) : nullptr;
@@ -167,8 +168,9 @@ void Family::spread_liveness() {
     }
 }
 
-/// The caller needs the parameters that are live in the called function. It also needs the parameters that are live
-/// after the call and that the called function does not overwrite before.
+/// Propagates liveness from a called function to its caller. The caller needs the parameters that are live in the
+/// called function. It also needs the parameters that are live after the call and that the called function does not
+/// overwrite.
 void Family::spread_liveness(const Call& call, std::size_t parameter) {
     if (live_[call.target].count(parameter) == 0) return;
     const bool returns = returning_.count(call.target) != 0;
@@ -184,7 +186,7 @@ void Family::spread_liveness(const Call& call, std::size_t parameter) {
     if (within || given) mark_live(within_, call.caller, names);
 }
 
-/// Whether the parameter is read in the called function, or after this call.
+/// True if the parameter is read in the called function, or after this call.
 bool Family::is_needed(const Call& call, std::size_t parameter) const {
     if (call.behind.empty() || within_[call.target].count(parameter) != 0) return true;
     for (const std::size_t function : call.behind) {

@@ -2,7 +2,7 @@
 // Finds the parameters that the functions of a family need. Calls are first written with only those arguments that
 // differ from the caller's values. A backward analysis along the calls then finds the live parameters. A variable that
 // will be overwritten before it is read, or a clock that will be reset, is not live. Without dead parameters the
-// processes stay equivalent and have fewer states.
+// processes are equivalent and have fewer states.
 #pragma once
 
 #include <map>
@@ -27,8 +27,8 @@ struct Function {
 /// The index of each function of a family, by its name.
 using FamilyIndex = std::unordered_map<std::string, std::size_t>;  // never iterated
 [[nodiscard]] FamilyIndex index_of(const std::vector<Function>& functions);
-/// The function of the family that an expression calls, with or without arguments; null if it calls no function of the
-/// family.
+/// Returns the function of the family that an expression calls, with or without arguments, or null if it calls no
+/// function of the family.
 [[nodiscard]] const std::size_t* called_function(const FamilyIndex& index, const cspm::Expr& expr);
 /// Calls `visit` on the direct parts of an expression.
 template <class Visit>
@@ -41,7 +41,7 @@ void for_each_part(const cspm::Expr& expr, const Visit& visit) {
         if (clause.value) visit(*clause.value);
 }
 
-/// The expression with `change` applied to its arguments; the same object if no argument changes.
+/// Returns the expression with `change` applied to its arguments. If no argument changes, returns the same object.
 template <class Change>
 [[nodiscard]] cspm::ExprPtr with_parts(const cspm::ExprPtr& expr, const Change& change) {
     std::shared_ptr<cspm::Expr> result;
@@ -54,29 +54,29 @@ template <class Change>
     return result ? result : expr;
 }
 
-/// Arguments by the name of the parameter.
+/// Arguments by the names of their parameters.
 using Arguments = std::vector<std::pair<std::string, cspm::ExprPtr>>;
-/// A call within a family that gives only some arguments; the other parameters keep the caller's values.
+/// A call within a family that gives only some arguments. The other parameters keep the caller's values.
 struct SparseCall {
     std::string function;
     Arguments changed;
     bool after_tock = false;  ///< parameters that count time advance
 };
 
-/// The calls within a family whose functions do not have their parameters yet, and placeholders for unneeded arguments.
-/// In the trees each call is a node, identified by its address.
+/// The calls within a family whose functions do not have parameters yet, and placeholders for unneeded arguments. Each
+/// call is a node of the syntax trees, and the address of the node identifies it.
 class FamilyCalls {
 public:
     /// Records a call and returns its node.
     [[nodiscard]] cspm::ExprPtr add_call(std::string function, Arguments changed = {}, bool after_tock = false);
-    /// The call that the node represents; null for other nodes.
+    /// Returns the call that the node represents, or null for other nodes.
     [[nodiscard]] const SparseCall* find_call(const cspm::Expr&) const;
-    /// The called function if the expression is a call that changes no parameter; otherwise null.
+    /// Returns the called function if the expression is a call that changes no parameter, or null otherwise.
     [[nodiscard]] const std::string* only_calls(const cspm::Expr&) const;
     /// Changes the target of a call.
     void redirect_call(const cspm::Expr& call, const std::string& function);
 
-    /// The argument for a parameter that is not read after this call returns.
+    /// Returns the argument for a parameter that is not read after this call returns.
     [[nodiscard]] const cspm::ExprPtr& unneeded_argument() const { return unneeded_; }
     [[nodiscard]] bool is_unneeded(const cspm::ExprPtr& argument) const { return argument == unneeded_; }
 
@@ -97,7 +97,7 @@ struct Candidates {
     std::vector<std::vector<std::string>> read;  ///< by function: parameters that it needs although its body does not
                                                  ///< read them; may be shorter than the family
     std::string returns;                         ///< the parameter that holds return addresses; may be empty
-    /// For a value of that parameter: the function that continues after the call, and the previous value.
+    /// For a value of `returns`: the function that continues after the call, and the previous value.
     struct Entry {
         std::string behind;
         cspm::ExprPtr outer;
@@ -105,8 +105,8 @@ struct Candidates {
     std::map<const cspm::Expr*, Entry> entries;
 };
 
-/// Gives every function its live parameters, and every call of `calls`, including those in `initial`, arguments for
-/// them. If a live parameter has no value in `initial`, its name remains free there. Returns these names.
+/// Gives every function its live parameters, and gives every call in `calls`, including those in `initial`, the
+/// arguments for them. If a live parameter has no value in `initial`, its name remains free there. Returns these names.
 [[nodiscard]] std::vector<std::string> find_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial,
                                                        const FamilyCalls& calls, const Candidates&);
 /// Replaces the unneeded arguments of all calls by arbitrary values, given for each parameter.

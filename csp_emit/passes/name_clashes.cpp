@@ -24,17 +24,17 @@ cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<Decl
 
 namespace {
 
-/// Whether the name is a channel or type of RoboTool in the library, which a block must not declare again.
+/// True if the name is a channel or type of RoboTool in the library, which a block must not declare again.
 bool is_shared(const std::string& name) {
     return name == "InOut" || name == "in" || name == "out" || name == "tock" || name == "tock'";
 }
 
-/// Whether a block's declaration with this name would hide a declaration of CSPM or of the library.
+/// True if a block's declaration with this name would hide a declaration of CSPM or of the library.
 bool hides_generated(const std::string& name) {
     return is_predefined(name) || (library_names().contains(name) && !is_shared(name));
 }
 
-/// Whether the instantiations define an element of the model with this name.
+/// True if the instantiations define an element of the model with this name.
 bool defines_element(const std::set<std::string>& given, const std::string& name) {
     return given.contains(name) && !is_shared(name);
 }
@@ -101,8 +101,8 @@ class Capture {
 public:
     std::set<std::string> found;
 
-    /// Visits the declarations at the top of the script. Predefined names are forbidden there; the names of the library
-    /// are declared there.
+    /// Visits the declarations at the top of the script. They cannot have predefined names, and they include the names
+    /// of the library.
     void visit_top(const std::vector<DeclPtr>& decls) {
         for (const DeclPtr& decl : decls) {
             for (const std::string& name : names_of(*decl))
@@ -124,13 +124,13 @@ private:
         for (const auto& part : pattern->args) names_of(part, names);
     }
 
-    /// Whether CSPM predefines the name as a value, which is used without a call.
+    /// True if CSPM predefines the name as a value, which is used without a call.
     static bool is_value(const std::string& name) {
         const cspm::BuiltinName* builtin = cspm::find_builtin(name);
         return builtin != nullptr && builtin->arguments < 0;
     }
 
-    /// Adds names to the scope; they are removed at the end of the object's lifetime.
+    /// Adds names to the scope. The destructor removes them.
     class Around {
     public:
         explicit Around(std::multiset<std::string>& names) : names_(names) {}

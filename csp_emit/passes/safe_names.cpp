@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// An element inside a component's CSPM module may have the name of a predefined function that the script does not use
-// there, because the module's own name takes precedence. At the top of the script all predefined names are in use.
-// RoboChart has several name spaces where CSPM has one: if two elements of a model would have the same name in CSPM,
-// one of them gets a number.
+// Renames elements. An element inside a component's CSPM module may have the name of a predefined function that the
+// script does not use there, because the module's own name takes precedence. At the top of the script all predefined
+// names are in use. RoboChart has several name spaces where CSPM has one. If two elements of a model would have the
+// same name in CSPM, one of them gets a number.
 #include "csp_emit/passes/safe_names.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ enum class Bearer {
     package,
 };
 
-/// Calls `visit(bearer, name, top, span)` for every element whose name appears in the script; `top`: outside all
+/// Calls `visit(bearer, name, top, span)` for every element whose name appears in the script. `top` is true outside all
 /// modules.
 template <class Visit>
 class Elements {
@@ -52,12 +52,13 @@ public:
     }
 
 private:
-    /// A component in a package is a module inside the package's module.
+    /// Visits a component. In a package it is a module inside the package's module.
     void visit_component(const std::string& package, const std::string& name, diagnostics::Span span) {
         visit_(Bearer::component, name, package.empty(), span);
         if (!package.empty()) visit_(Bearer::package, flatten_name(package), true, span);
     }
-    /// The registers of RoboSim have the names `i_e` and `o_e`, which no other element has.
+    /// Visits the members of a component. RoboSim's registers have the names `i_e` and `o_e`, which no other element
+    /// has.
     template <class Component>
     void visit_members(const Component& component, bool robosim) {
         if (robosim) return;
@@ -82,7 +83,7 @@ void visit_elements(const ir::System& system, const Visit& visit) {
     Elements<Visit>(visit).visit_system(system);
 }
 
-/// The channels other than those of events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
+/// Returns the channels other than those of events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
 std::set<std::string> other_channels(const ir::System& system) {
     std::set<std::string> result;
     const auto add = [&](const auto& component) {
@@ -96,12 +97,12 @@ std::set<std::string> other_channels(const ir::System& system) {
     return result;
 }
 
-/// Maps from old to new names: for all kinds of elements, for states and parts, and for operations. For each type and
-/// each function, its new name, or "" if the name does not change.
+/// The new names by the old ones: for all kinds of elements, for states and parts, and for operations. For each type
+/// and each function, the new name, or "" if the name does not change.
 struct NewNames {
     std::map<std::string, std::string> all, states, operations;
     std::vector<std::string> types, functions;
-    std::vector<std::string> machines;             ///< of every machine except the first with the same full name
+    std::vector<std::string> machines;  ///< new names of machines, except for the first with the same full name
     std::vector<std::vector<std::string>> labels;  ///< for each type, the names of its literals; empty: unchanged
     NamesForBlocks for_blocks;
 
@@ -114,8 +115,8 @@ struct NewNames {
     }
 };
 
-/// The names of a type or function at the top of the script: first its own name, then the names that are derived from
-/// it.
+/// Returns the names of a type or function at the top of the script: first its own name, then the names that are
+/// derived from it.
 std::vector<std::string> names_of(const ir::Type& type) {
     std::vector<std::string> result{type_name(type)};
     if (type.kind == ir::TypeKind::enumeration)
@@ -133,7 +134,7 @@ bool is_named(const ir::Function&) {
     return true;
 }
 
-/// Chooses new names for elements whose own name would have another meaning in the script.
+/// Chooses new names for elements whose names would have another meaning in the script.
 class Choice {
 public:
     Choice(const ir::System& system, diagnostics::Diagnostics& diagnostics)
@@ -174,7 +175,7 @@ public:
     }
 
 private:
-    /// The types or functions, with the new names of their packages.
+    /// Returns the types or functions, with the new names of their packages.
     template <class Data>
     std::vector<Data> with_packages(std::vector<Data> all) {
         for (Data& data : all) {
@@ -187,7 +188,7 @@ private:
         return all;
     }
 
-    /// The types, after literals that share their name with a bound variable have got other labels.
+    /// Returns the types, after literals that share their name with a bound variable have got other labels.
     std::vector<ir::Type> with_labels(std::vector<ir::Type> types) {
         for (ir::Type& type : types) {
             names_.labels.emplace_back();
@@ -213,8 +214,8 @@ private:
         for (const std::string& name : names_of(data)) taken_.insert(name);
     }
 
-    /// The rule that forbids this name for a type or function, because the name has another meaning in the script; null
-    /// if the name is allowed.
+    /// Returns the rule that forbids this name for a type or function, because the name has another meaning in the
+    /// script, or null if the name is allowed.
     template <class Data>
     [[nodiscard]] const diagnostics::Rule* find_clash(const Data& data) const {
         const auto names = names_of(data);
@@ -247,7 +248,8 @@ private:
             for (const std::string& name : names_of(renamed)) data_.insert(name);
         }
     }
-    /// If several machines have the same full name, a reference denotes the first (RC-N03). The others get a number.
+    /// Chooses names for machines with the same full name. A reference denotes the first of them (RC-N03). The others
+    /// get a number.
     void choose_machines(const ir::System& system) {
         std::set<std::string> known;
         for (const ir::Machine& machine : system.machines) {
@@ -297,7 +299,7 @@ private:
         diagnostics_.report(rule, span, {name, chosen});
     }
 
-    /// The new name without its number; identifiers of CSPM begin with a letter.
+    /// Returns the new name without its number. It begins with a letter, as identifiers of CSPM do.
     static std::string stem(const std::string& name) {
         const auto letter =
             std::ranges::find_if(name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
@@ -427,7 +429,7 @@ private:
 
     NewNames names_;
     Names states_;  ///< new names of states and parts
-    Names tops_;    ///< and of declarations outside components
+    Names tops_;    ///< new names of declarations outside components
 };
 
 /// Finds components and constants with the same name in the script (RC-C10).
@@ -489,7 +491,7 @@ private:
     std::map<std::string, ir::Origin> packages_;
 };
 
-/// The names of constants begin with the components around them, so the instantiation is renamed accordingly.
+/// Renames the constants in the instantiation, because their names begin with the components around them.
 void rename_constants(const ir::System& before, SafeNames& after) {
     const auto old_names = ir::named_constants(before);
     const auto new_names = ir::named_constants(after.system);

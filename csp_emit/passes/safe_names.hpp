@@ -27,7 +27,7 @@ struct SafeNames {
     NamesForBlocks for_blocks;
 };
 
-/// Renames elements where necessary; each renamed element is reported once (RC-C04, RC-C09). Two elements that would
+/// Renames elements where necessary, and reports each renamed element once (RC-C04, RC-C09). Two elements that would
 /// share a name and cannot be renamed are rejected (RC-C10).
 [[nodiscard]] SafeNames safe_names(const ir::System&, const ir::Instantiation&, diagnostics::Diagnostics&);
 

@@ -103,7 +103,7 @@ private:
         return true;
     }
 
-    /// Collects modules that may be shared; returns whether the declarations contain an instance, at any depth.
+    /// Collects modules that may be shared. Returns true if the declarations contain an instance, at any depth.
     bool collect_modules(const std::vector<DeclPtr>& decls, const Path& path, const std::vector<const Decl*>& around,
                          std::vector<Group>& groups, std::map<std::uint64_t, std::vector<std::size_t>>& by_hash) {
         bool instances = false;
@@ -149,7 +149,7 @@ private:
         return depth;
     }
 
-    /// Whether all names have the same meaning at the place of the shared module.
+    /// True if all names have the same meaning at the place of the shared module.
     static bool is_movable(const std::vector<Place>& places) {
         std::set<std::string> outside;
         used_names(*places.front().module, outside);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Components that are used in several places (a machine on its own and in a controller, a controller in a module)
-// become modules with equal text. Such a module is written once, with an unused parameter, and each place contains an
-// `instance` of it, with the same channels and processes under the same names (FDR manual, modules). This shortens the
-// script.
+// Shortens the script by sharing modules with equal text. Such modules result from components that are used in several
+// places (a machine separately and in a controller, a controller in a module). A shared module is written once, with an
+// unused parameter. Each place contains an `instance` of it, with the same channels and processes under the same names
+// (FDR manual, modules).
 #pragma once
 
 #include <vector>

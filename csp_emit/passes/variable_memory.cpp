@@ -48,7 +48,8 @@ public:
 private:
     ExprPtr rewritten_call(const Expr& expr, std::size_t target, const Place& place) const;
 
-    /// A parameter of a function: the variable that it remembers, if any, and whether the function holds it then.
+    /// A parameter of a function: the remembered variable that it contains, if any, and whether the function holds this
+    /// variable.
     struct Parameter {
         const Remembered* variable = nullptr;
         bool held = false;
@@ -59,7 +60,7 @@ private:
     std::map<std::string, const Remembered*> variables_;
     FamilyIndex index_;
     std::vector<std::set<std::string>> held_;
-    std::vector<std::vector<Parameter>> parameters_;  ///< by function
+    std::vector<std::vector<Parameter>> parameters_;  ///< the parameters of each function
 };
 
 Memories::Memories(const std::vector<Function>& functions, const FamilyCalls& calls,

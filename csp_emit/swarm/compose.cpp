@@ -29,7 +29,7 @@ struct Port {
     std::vector<ir::TypeId> types;
 };
 
-/// All ports of a component by the names of their channels in it: "e.in", "opCall", "set_x".
+/// Returns all ports of a component by the names of their channels in it: "e.in", "opCall", "set_x".
 std::map<std::string, Port> ports_of(const Provenance& provenance, const std::string& path) {
     const std::string prefix = path + "::";
     std::map<std::string, Port> ports;
@@ -45,7 +45,7 @@ std::map<std::string, Port> ports_of(const Provenance& provenance, const std::st
     return ports;
 }
 
-/// The component that a name in a swarm denotes: "P::M", or "M" if it is unique.
+/// Returns the component that a name in a swarm denotes: "P::M", or "M" if it is unique.
 const ComponentProcesses* component_named(const Emission& emission, const std::string& name) {
     const ComponentProcesses* found = nullptr;
     for (const ComponentProcesses& component : emission.components) {
@@ -57,7 +57,7 @@ const ComponentProcesses* component_named(const Emission& emission, const std::s
     return found;
 }
 
-/// The text of the swarm's module.
+/// Writes the text of the swarm's module.
 class SwarmModule {
 public:
     SwarmModule(const Emission& emission, const Swarm& swarm, Time time, const ir::System& system,
@@ -69,7 +69,7 @@ public:
           instantiation_(instantiation),
           diagnostics_(diagnostics) {}
 
-    /// Returns the module's text; "" with a diagnostic if an element of the swarm does not match the component.
+    /// Returns the module's text. If an element of the swarm does not match the component, reports this and returns "".
     std::string module_text() {
         component_ = component_named(emission_, swarm_.component.text);
         if (component_ == nullptr) {
@@ -119,7 +119,7 @@ private:
         diagnostics_.report(swarm_rules::no_fit, word.span, {why});
     }
 
-    /// The port with this name whose channel ends in `ending`; null with a diagnostic if there is none.
+    /// Returns the port with this name whose channel ends in `ending`. If there is none, reports this and returns null.
     const Port* find_port(const Word& word, const std::string& ending, const char* what) {
         if (const auto found = ports_.find(word.text + ending); found != ports_.end()) return &found->second;
         std::vector<std::string> known;
@@ -128,7 +128,7 @@ private:
         report_unknown(swarm_.component.text, what, word, known);
         return nullptr;
     }
-    /// The channel for an operation, which all uses of the operation in the swarm share.
+    /// Returns the channel for an operation, which all uses of the operation in the swarm share.
     std::string operation_channel(const Word& word) {
         const auto known = operations_.find(word.text);
         if (known != operations_.end()) return known->second;
@@ -148,7 +148,8 @@ private:
         own_.push_back(channel);
         return channel;
     }
-    /// The number that represents one degree in the only argument; 0 if the call does not have exactly one number.
+    /// Returns the number that represents one degree in the only argument, or 0 if the call does not have exactly one
+    /// number.
     [[nodiscard]] std::int64_t scale_of(const Port& call) const {
         if (call.types.size() != 1) return 0;
         const ir::TypeKind kind = system_.type(call.types.front()).kind;
@@ -263,7 +264,7 @@ private:
         messages_.push_back({channel, connection.distance});
     }
 
-    /// The constants that the component's process takes as parameters, by their names in the model.
+    /// Returns the constants that the component's process takes as parameters, by their names in the model.
     [[nodiscard]] std::vector<ir::NamedConstant> parameter_constants() const {
         std::set<std::string> arguments;
         for (const cspm::ExprPtr& argument : component_->compressed->args)
@@ -299,7 +300,7 @@ private:
                                             name, swarm_.robots - 1));
         numbered_[meant.front().name] = value;
     }
-    /// The number of robot i__ as a value of this type; "" if the type does not have a value for each robot.
+    /// Returns the number of robot i__ as a value of this type, or "" if the type does not have a value for each robot.
     [[nodiscard]] std::string own_number(ir::TypeId type) const {
         const auto has_all = [&](const std::vector<std::int64_t>& carrier, std::int64_t scale) {
             for (std::int64_t robot = 0; robot < swarm_.robots; ++robot)
@@ -315,7 +316,8 @@ private:
         return "";
     }
 
-    /// Handles ports that are not bound: outputs and calls are possible at any time, inputs never arrive.
+    /// Handles ports that are not bound. Their outputs and calls are possible at any time, and their inputs never
+    /// arrive.
     void bind_remaining() {
         std::vector<std::string> never;
         for (const auto& [name, port] : ports_) {
@@ -375,7 +377,7 @@ private:
         return text + "endmodule\n";
     }
 
-    /// The heading that is nearest to an angle in units of 1/s__ of a degree.
+    /// Returns the heading that is nearest to an angle in units of 1/s__ of a degree.
     [[nodiscard]] std::string turns_text() const {
         if (!swarm_.grid) return "";
         return fmt::format(
@@ -521,7 +523,8 @@ private:
         return text + bodies_text() + pairs_text() + phases_text() + (observes_away() ? way_text() : "");
     }
 
-    /// The process of a robot's body. m__: 0 standing, 1 driving, 2 turning until the next time unit has passed.
+    /// Returns the process of a robot's body. m__: 0 standing, 1 driving, 2 turning until the next time unit has
+    /// passed.
     [[nodiscard]] std::string bodies_text() const {
         std::string text = "Body(i__,h__,m__) =\n";
         for (const auto& [channel, motion] : driven_) {
@@ -550,7 +553,7 @@ private:
         return text + fmt::format("Bodies = || i__ : Robots @ [ {} ] Start(i__)\n", alphabet);
     }
 
-    /// The process for robots i__ < j__ that stores the position of j__ relative to i__.
+    /// Returns the process for robots i__ < j__ that stores the position of j__ relative to i__.
     [[nodiscard]] std::string pairs_text() const {
         if (swarm_.robots == 1) return "";
         std::string text =
@@ -599,7 +602,7 @@ private:
         return text + fmt::format("AllPairs = {}\n", together);
     }
 
-    /// After each tock all robots move, and no other event happens in between.
+    /// Returns the process that lets all robots move after each tock. No other event happens in between.
     [[nodiscard]] std::string phases_text() const {
         const std::vector<std::string> channels = phase_channels();
         std::string text = "Still = tock -> Moving(0)";
@@ -609,7 +612,7 @@ private:
                "else Still\n";
     }
 
-    /// The process that stores the position of robot 0.
+    /// Returns the process that stores the position of robot 0.
     [[nodiscard]] std::string way_text() const {
         std::string text =
             "Way(x__,y__) = go.0?h__ -> Way(column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
@@ -652,7 +655,7 @@ private:
         return text;
     }
 
-    /// The process that performs the event `active` if a robot has acted since the last tock.
+    /// Returns the process that performs the event `active` if a robot has acted since the last tock.
     [[nodiscard]] std::string activity_text(const std::string& together, std::vector<std::string> done,
                                             const std::vector<std::string>& moves) const {
         std::vector<std::string> hidden = done;
@@ -679,8 +682,8 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     const ComponentProcesses* component_ = nullptr;
     std::map<std::string, Port> ports_;
-    std::map<std::string, std::string> operations_;  // by name: the channel
-    std::map<std::string, SwarmMotion> driven_;      // by channel
+    std::map<std::string, std::string> operations_;  // the channels of operations, by name
+    std::map<std::string, SwarmMotion> driven_;      // the motions, by channel
     std::size_t feeds_ = 0;
     std::vector<std::string> own_;                              // channels between one robot and its world
     std::vector<std::string> settled_;                          // channels of own_ that report that no turn is in
@@ -710,18 +713,18 @@ std::string assertion_text(const SwarmClaim& claim, std::size_t number, bool tim
     return "";
 }
 
-/// The title of a claim in reports.
+/// Returns the title of a claim in reports.
 std::string title_of(const Swarm& swarm, const SwarmClaim& claim) {
     const std::string where = swarm.grid ? fmt::format("{} by {}", swarm.grid->width, swarm.grid->height) : "no grid";
     return fmt::format("{}: {} [{} robot{}, {}]", swarm.name.text, claim.text, swarm.robots,
                        swarm.robots == 1 ? "" : "s", where);
 }
 
-/// The premise of claims about all states: from every reachable state of the swarm some run leads to a state in which
-/// time passes. Then every run can be extended to a run in which time passes infinitely often, so every state belongs
-/// to a run that is possible in reality (non-Zeno: Henzinger, Nicollin, Sifakis and Yovine, Symbolic model checking for
-/// real-time systems, 1994). If the environment makes decisions, the passing of time must not depend on them; the claim
-/// `waits` states this.
+/// Returns the premise of claims about all states: from every reachable state of the swarm some run leads to a state in
+/// which time passes. Then every run can be extended to a run in which time passes infinitely often, so every state
+/// belongs to a run that is possible in reality (non-Zeno: Henzinger, Nicollin, Sifakis and Yovine, Symbolic model
+/// checking for real-time systems, 1994). If the environment makes decisions, the passing of time must not depend on
+/// them. The claim `waits` states this.
 std::shared_ptr<const Premise> time_can_pass(std::vector<cspm::DeclPtr> waits) {
     const cspm::ExprPtr tock = cspm::build::productions({cspm::build::name("tock")});
     return std::make_shared<const Premise>(
@@ -764,7 +767,7 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
     return result;
 }
 
-/// The assertion with the claim as a comment above it, as reports print it.
+/// Returns the assertion with the claim as a comment above it, as reports print it.
 cspm::DeclPtr with_title(const cspm::DeclPtr& assertion, const std::string& title) {
     cspm::Decl result = *assertion;
     result.comment = diagnostics::escape_for_display(title);

@@ -3,13 +3,13 @@
 //
 // Every robot is the component's compressed process, with its events renamed to events that carry its number. On a
 // grid, each robot has a body (its heading, and whether it drives, stands or turns), and each pair of robots has a
-// process that stores only the offset between the two, so states that differ only by a translation are the same state.
-// After each tock the bodies move in the order of their numbers: those that drive move by one cell along their heading.
-// Between these moves the robots do not interact with their world, so the order does not matter. A turn ends after the
-// next tock. Within a time unit, robots act before time passes (maximal progress). Without a grid, any robots may be
-// near each other at any time.
+// process that stores only the offset between the two. So states that differ only by a translation are the same state.
+// After each tock the bodies move in the order of their numbers. A body that drives moves by one cell along its
+// heading. Between these moves the robots do not interact with their world, so the order does not matter. A turn ends
+// after the next tock. Within a time unit, robots act before time passes (maximal progress). Without a grid, any robots
+// may be near each other at any time.
 //
-// Sensing is an event that carries the set of the robots in range; each pair of robots accepts or refuses it. The
+// Sensing is an event that carries the set of the robots in range. Each pair of robots accepts or refuses it. The
 // observations that decide conditions work in the same way.
 #pragma once
 

@@ -79,7 +79,8 @@ std::string Observation::condition_text(const SwarmCondition& condition) const {
     return "";
 }
 
-/// Splits the parts in halves, so that the depth of the expression grows with the logarithm of the number of parts.
+/// Returns the parts joined by `word`. They are split in halves, so that the depth of the expression grows with the
+/// logarithm of the number of parts.
 std::string Observation::chain_text(std::span<const SwarmCondition> parts, const char* word) const {
     if (parts.size() == 1) return condition_text(parts.front());
     const std::size_t half = parts.size() / 2;

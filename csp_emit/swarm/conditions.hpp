@@ -10,25 +10,26 @@
 
 namespace robochart::csp_emit {
 
-/// An event with the data on which a condition depends. It has a field for each different part of the condition. For
-/// `linked` and `apart` the field is the set of pairs within the distance; for `away` it is whether robot 0 is away.
+/// An event with the data on which a condition depends. It has a field for each different atom of the condition. For
+/// `linked` and `apart`, the field is the set of pairs within the distance. For `away`, it states whether robot 0 is
+/// away.
 class Observation {
 public:
-    /// `channel`: the name of the event's channel.
+    /// `channel` is the name of the event's channel.
     Observation(const SwarmCondition& condition, std::string channel);
 
     [[nodiscard]] const std::string& channel() const { return channel_; }
-    /// Whether the condition has an atom of this kind.
+    /// True if the condition has an atom of this kind.
     [[nodiscard]] bool has_atom(SwarmCondition::Kind kind) const;
-    /// Whether the condition has an atom about pairs of robots.
+    /// True if the condition has an atom about pairs of robots.
     [[nodiscard]] bool asks_pairs() const;
     [[nodiscard]] std::string channel_declaration() const;
-    /// The event in which the pair i__, j__ at offset x__, y__ takes part.
+    /// Returns the event in which the pair i__, j__ at offset x__, y__ takes part.
     [[nodiscard]] std::string seen_by_pair() const;
-    /// The event while robot 0, which began at x, y, is at x__, y__.
+    /// Returns the event while robot 0, which began at x, y, is at x__, y__.
     [[nodiscard]] std::string seen_on_way(std::int64_t x, std::int64_t y) const;
-    /// Definitions of `holds_CHANNEL` and `fails_CHANNEL`: the events for which the condition holds, and those for
-    /// which it fails.
+    /// Returns the definitions of `holds_CHANNEL` and `fails_CHANNEL`: the events for which the condition holds, and
+    /// those for which it fails.
     [[nodiscard]] std::string define_meaning() const;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 using diagnostics::Span;
 
 constexpr std::uint32_t most_robots = 8;
-constexpr std::uint32_t most_cells = 64;  // in each direction
+constexpr std::uint32_t most_cells = 64;  // limit on cells in each direction
 constexpr int deepest_condition = 50;
 constexpr std::size_t most_conditions = 1'000;  // limit for all claims together
 
@@ -196,7 +196,8 @@ private:
     SwarmCondition parse_and(int depth) {
         return parse_chain(SwarmCondition::Kind::both, "and", &SwarmReader::parse_single, depth);
     }
-    /// Operands of the same operator become parts of one condition, so a long chain does not make a deep tree.
+    /// Parses operands of the same operator as parts of one condition, so that a long chain does not become a deep
+    /// tree.
     SwarmCondition parse_chain(SwarmCondition::Kind kind, const char* word, SwarmCondition (SwarmReader::*part)(int),
                                int depth) {
         SwarmCondition first = (this->*part)(depth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules of swarms (docs/rules/RC-V*.md).
+// Lists the rules of swarms (docs/rules/RC-V*.md).
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A swarm as data: copies of one component's semantics, on a grid or in a world where any robots may be near each
-// other, and the claims about them. docs/emergence.md describes the notation. Its words are those of scenarios if they
-// have the same meaning (docs/scenarios.md).
+// Represents a swarm: copies of one component, on a grid or in a world where any robots may be near each other, and the
+// claims about them. docs/emergence.md describes the notation. It uses the words of scenarios (docs/scenarios.md) with
+// the same meaning.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct SwarmGrid {
     std::uint32_t height = 0;
 };
 
-/// A line `place at (X, Y) heading 90 deg`, or `heading any`. Robots without a place begin where the last one does.
+/// A line `place at (X, Y) heading 90 deg`, or `heading any`. Robots without a place begin at the last place.
 struct SwarmPlace {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -39,7 +39,7 @@ struct SwarmFeed {
     frontend::Word event;
     SwarmReading reading = SwarmReading::any;
     std::uint32_t distance = 1;        ///< for count and near: in cells; a diagonal step counts as one
-    std::optional<frontend::Word> on;  ///< once after each call of this operation
+    std::optional<frontend::Word> on;  ///< the event occurs once after each call of this operation
 };
 
 enum class SwarmMotion { forward, turn, stop };
@@ -96,7 +96,7 @@ enum class SwarmQuestion {
 struct SwarmClaim {
     SwarmQuestion question = SwarmQuestion::always;
     SwarmCondition condition;
-    std::string text;  ///< as written after `accept`
+    std::string text;  ///< the text after `accept`
     diagnostics::Span span;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about the permitted contents of components and interfaces (language reference 2: STM1 to M, DT).
+// Checks the rules about the permitted contents of components and interfaces (language reference 2: STM1 to M, DT).
 #include <fmt/format.h>
 
 #include "frontend/checks/checks.hpp"
@@ -42,7 +42,7 @@ void check_controller_clause(const Clause& clause, Diagnostics& out) {
     if (clause.written.use == InterfaceUse::requires_) clause.report(rules::c11, out);
 }
 
-/// I1, I2: which members an interface may declare depends on the keyword of the clause that names it.
+/// Checks I1 and I2: which members an interface may declare depends on the keyword of the clause that names it.
 void check_clause_contents(const Clause& clause, Diagnostics& out) {
     const auto i1 = [&](std::string_view verb, std::string_view what) {
         out.report(rules::i1, clause.written.name.span,
@@ -75,7 +75,7 @@ void check_clauses(const Context& context, Diagnostics& out) {
     }
 }
 
-/// Members that the grammar accepts in every component, but that rules allow only in some.
+/// Reports members that the grammar accepts in every component, but that the rules allow only in some components.
 void check_misplaced_members(const Context& context, Diagnostics& out) {
     for (const auto& signature : context.signatures) {
         if (context.kind == DeclKind::state_machine || context.kind == DeclKind::operation)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about single connections and about their number (language reference 2: Cn2, Cn4, Cn11, types, C6, M3).
+// Checks the rules about single connections and about the number of connections of an event (language reference 2: Cn2,
+// Cn4, Cn11, types, C6, M3).
 #include <fmt/format.h>
 
 #include <map>
@@ -18,7 +19,7 @@ std::string describe_values(const Event& event) {
     return event.type_expr ? "values of type " + to_string(event.type) : "no value";
 }
 
-/// Cn4: a broadcast event connects only to a broadcast event, and not to a component of the same kind.
+/// Checks Cn4: a broadcast event connects only to a broadcast event, and not to a component of the same kind.
 void check_broadcast(const Connection& connection, const Event& from, const Event& to, Diagnostics& out) {
     const Event& plain = from.broadcast ? to : from;
     if (from.broadcast != to.broadcast) {
@@ -62,7 +63,7 @@ void check_asynchrony(const Component& component, const Connection& connection, 
     if (machines && connection.async) out.report(rules::cn11, connection.span);
 }
 
-/// C6, M3: an event is the source of at most one connection and the target of at most one.
+/// Checks C6 and M3: an event is the source of at most one connection and the target of at most one connection.
 class Uses {
 public:
     Uses(const Component& component, Diagnostics& out) : component_(component), out_(out) {}
@@ -87,7 +88,7 @@ private:
 
 void check_connections(const Component& component, Diagnostics& out) {
     Uses uses(component, out);
-    // In RoboSim a connection copies registers: several may leave an event, and none is synchronous.
+    // In RoboSim a connection copies registers. Several connections may begin at an event, and none is synchronous.
     const bool synchronises = component.dialect == Dialect::robochart;
     for (const auto& connection : component.connections) {
         if (synchronises) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions of connections (language reference 2: Cn5 to Cn9). A trigger and an input statement receive; the
+// Checks the directions of connections (language reference 2: Cn5 to Cn9). Triggers and input statements receive. The
 // statements `e`, `e!v` and `e.v` send. An operation that the controller defines counts as part of the machine that
 // calls it. Statements in parentheses are included (RoboTool ignores them).
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ public:
         for (const Machine* defined : defined_operations(controller)) operations_[defined->name].push_back(defined);
     }
 
-    /// Reads each machine once and caches the result, because it may have many connections.
+    /// Returns the traffic of a machine. The result is cached, because a machine may have many connections.
     const Traffic& read(const Machine& machine) {
         const auto [known, fresh] = read_.try_emplace(&machine);
         if (!fresh) return known->second;
@@ -71,7 +71,7 @@ private:
     Traffic traffic_;
 };
 
-/// Cn8, Cn9: the direction of a one-way connection is that in which the machine communicates.
+/// Checks Cn8 and Cn9: the direction of a one-way connection is that in which the machine communicates.
 void check_machine_end(TrafficReader& reader, const Connection& connection, const Connection::End& end, bool beginning,
                        Diagnostics& out) {
     const auto* machine = follow_to<Machine>(end.node_target);
@@ -84,15 +84,15 @@ void check_machine_end(TrafficReader& reader, const Connection& connection, cons
                {end.event.text(), end.node.text(), machine->name, found->second});
 }
 
-/// The connections inside a controller with one of the controller's own events: whether some end at the event, begin at
-/// it, or are bidirectional.
+/// For one of a controller's own events: whether some connection inside the controller ends at it, begins at it, or is
+/// bidirectional.
 struct Inside {
     const Connection* from = nullptr;
     const Connection* to = nullptr;
     const Connection* both = nullptr;
 };
 
-/// The connections inside the controllers of a module; each controller is read once.
+/// Caches the connections inside the controllers of a module.
 class Insides {
 public:
     Inside connections_inside(const Component& controller, const std::string& event) {
@@ -118,7 +118,7 @@ private:
     std::map<const Component*, Events> controllers_;  // for lookup only; the order of pointers is never used
 };
 
-/// Cn5 to Cn7: a connection of a module to a controller continues inside the controller in the same direction.
+/// Checks Cn5 to Cn7: a connection of a module to a controller continues inside the controller in the same direction.
 void check_controller_end(Insides& insides, const Connection& connection, const Connection::End& end, bool beginning,
                           Diagnostics& out) {
     const auto* controller = follow_to<Component>(end.node_target);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cn10 (language reference 2): the component at each end of a connection has the connected event. If an interface
-// clause is missing, all events of the interface are missing; this is reported once, even if several connections need
-// the events.
+// Checks Cn10 (language reference 2): the component at each end of a connection has the connected event. If an
+// interface clause is missing, all events of the interface are missing. This is reported once, even if several
+// connections use the events.
 #include <fmt/format.h>
 
 #include <map>
@@ -66,7 +66,7 @@ private:
         return !reported_.emplace(&behind, interface).second;
     }
 
-    /// Events that the machine uses and that are declared nowhere.
+    /// Returns the events that the machine uses but that are declared nowhere.
     const std::set<std::string>& unknown_events(const Context& component) {
         const auto entry = unknown_.try_emplace(&component);
         std::set<std::string>& found = entry.first->second;

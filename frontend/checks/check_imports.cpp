@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Imports of packages or declarations that neither the project nor a toolkit declares (RC-N04; language reference 1.3).
-// RoboTool ignores such imports silently.
+// Reports imports of packages or declarations that neither the project nor a toolkit declares (RC-N04; language
+// reference 1.3). RoboTool ignores such imports silently.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about nodes, transitions and actions (language reference 2: S2 to PT2).
+// Checks the rules about nodes, transitions and actions (language reference 2: S2 to PT2).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The transitions of a container, indexed by source and target. Built once, because containers may be large. Used for
-/// lookup only, so the order of pointers never matters.
+/// The transitions of a container, indexed by source and target. The index is built once, because containers may be
+/// large. It is used for lookup only, so the order of pointers never matters.
 struct Ways {
     explicit Ways(const NodeContainer& container) {
         for (const auto& transition : container.transitions) {
@@ -158,7 +158,7 @@ std::optional<Polynomial> multiply_polynomials(const Polynomial& left, const Pol
 
 /// Reads an expression of names, numbers, `+`, `-`, `*` and division by numbers as a polynomial over the names without
 /// a value in the model. All names are read at the same instant. At most `constants` nested definitions are followed,
-/// because the size can double with each of them.
+/// because each can double the size of the polynomial.
 std::optional<Polynomial> read_polynomial(const Expr& expr, int constants = 6) {
     const auto arg = [&](std::size_t i) { return read_polynomial(*expr.args[i], constants); };
     if (expr.kind == ExprKind::integer || expr.kind == ExprKind::real)
@@ -207,8 +207,8 @@ std::optional<Polynomial> read_polynomial(const Expr& expr, int constants = 6) {
     return std::nullopt;
 }
 
-/// The sum of the probabilities must be 1 for all values of the names in it. `p` and `1 - p` add up to 1 for every `p`.
-/// A constant sum other than 1 is an error.
+/// Checks that the probabilities add up to 1 for all values of the names in them: `p` and `1 - p` add up to 1 for every
+/// `p`. A constant sum other than 1 is an error.
 void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
     std::optional<Polynomial> total = Polynomial{};
     for (const Transition* transition : transitions_from(ways, node)) {
@@ -264,7 +264,7 @@ void check_transition(const Transition& transition, Diagnostics& out) {
     check_probability(transition, out);
 }
 
-/// Reports a wrong number of initial junctions; notes point at each one after the first.
+/// Reports a wrong number of initial junctions. Notes point at each initial junction after the first.
 void wrong_initials(const NodeContainer& container, const Rule& rule, const Declaration& owner,
                     std::vector<std::string> arguments, Diagnostics& out) {
     auto& finding = out.report(rule, owner.name_span, std::move(arguments));

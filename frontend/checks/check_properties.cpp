@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The form of a probabilistic property: a condition or a query. A number or a path formula without a quantifier is an
-// error.
+// Checks the form of a probabilistic property. It must be a condition or a query. A number, or a path formula without a
+// quantifier, is an error.
 #include "frontend/checks/checks.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/lexer.hpp"
@@ -37,7 +37,7 @@ bool is_number(const Expr& expr) {
     }
 }
 
-/// The path formula that is not inside a quantifier; null if there is none.
+/// Returns the path formula that is not inside a quantifier, or null if there is none.
 const Expr* bare_path(const Expr& expr) {
     const Expr& bare = strip_parentheses(expr);
     if (bare.kind == ExprKind::path) return &bare;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about the elements that components require and their contexts provide (language reference 2: C3, C4, M2, STM8
-// to STM10). Variables match by name and compatible type.
+// Checks the rules about the elements that components require and that their contexts must provide (language reference
+// 2: C3, C4, M2, STM8 to STM10). Variables match by name and compatible type.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ public:
         const auto [begin, end] = items_.equal_range(name);
         for (auto at = begin; at != end; ++at) use(*at->second);
     }
-    /// The first declaration of this name; null if there is none.
+    /// Returns the first declaration of this name, or null if there is none.
     [[nodiscard]] const Item* find_first(std::string_view name) const {
         const auto found = items_.lower_bound(name);
         return found == items_.end() || found->first != name ? nullptr : found->second;
@@ -50,7 +50,8 @@ private:
 
 using Variables = Named<Variable>;
 
-/// True if the name is the same and the types fit the direction of writing: compat(required, provided).
+/// True if a provided variable has the same name, and its type accepts the values that the component writes:
+/// compat(required, provided).
 bool provides_variable(const Variables& provided, const Variable& required, bool same_kind) {
     return provided.any_fits(required.name, [&](const Variable& v) {
         return (!same_kind || v.kind == required.kind) && is_compatible(required.type, v.type);
@@ -68,7 +69,7 @@ std::string plural_suffix(const Missing& missing) {
     return missing.size() == 1 ? "" : "s";
 }
 
-/// Adds notes that point at the missing declaration, and at a declaration of that name that does not fit.
+/// Adds notes that point at the missing declaration, and at declarations of the same name that do not fit.
 void add_notes(diagnostics::Diagnostic& finding, const Missing& missing, const Variables& provided = {}) {
     for (const Declaration* declaration : missing) {
         finding.notes.push_back({declaration->name_span, fmt::format("`{}` is required here", declaration->name)});
@@ -87,14 +88,14 @@ Missing missing_variables(const std::vector<const Variable*>& required, const Va
     return missing;
 }
 
-/// True if the parameters are compatible pairwise. Their names may differ.
+/// True if the lists have equal lengths and compatible parameters at each position. The names may differ.
 bool same_parameters(const std::vector<VariablePtr>& a, const std::vector<VariablePtr>& b) {
     return std::ranges::equal(a, b, [](const VariablePtr& x, const VariablePtr& y) {
         return is_compatible(x->type, y->type) || is_compatible(y->type, x->type);
     });
 }
 
-/// The operations that a controller offers: definitions and signatures.
+/// The definitions and signatures of operations in a controller.
 struct Offer {
     Named<Machine> definitions;
     Named<OperationSignature> signatures;
@@ -147,7 +148,7 @@ struct Caller {
     const Variables variables;
     const Scope scope;
 
-    /// The controller's definition of a called operation; null if the platform performs it.
+    /// Returns the controller's definition of a called operation, or null if the platform performs it.
     [[nodiscard]] const Machine* find_definition(std::string_view name) const {
         return surroundings.offer.definitions.find_first(name);
     }
@@ -161,14 +162,14 @@ struct Caller {
     }
 };
 
-/// True if the caller's event fits the operation's event: same name, and a type that may widen from operation to
-/// caller.
+/// True if neither event has a type, or if the values of the operation's event may be used as values of the caller's
+/// event.
 bool event_fits(const Event& inner, const Event& outer) {
     const bool typed = inner.type_expr != nullptr;
     return (outer.type_expr != nullptr) == typed && (!typed || is_compatible(inner.type, outer.type));
 }
 
-/// The members that an operation requires from its caller and that the caller does not have.
+/// The members that an operation requires from its caller but that the caller does not have.
 struct Lack {
     Missing variables;
     std::vector<const Event*> events;
@@ -218,7 +219,7 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
     }
 }
 
-/// Checks an operation that is required but never called. The check is that of a called operation, but a mistake is
+/// Checks an operation that is required but never called. The rules are those for a called operation, but mistakes are
 /// less severe, because the operation is not used yet.
 void check_required(const Caller& caller, const OperationSignature& signature, const Machine& operation,
                     Diagnostics& out) {

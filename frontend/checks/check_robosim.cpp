@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about RoboSim: contexts, cycles, what operations need of their callers, simulations. RoboTool's validator for
-// RoboSim has the rules about contexts and callers; the others name models without a meaning.
+// Checks the rules about RoboSim: contexts, cycles, members that operations require from their callers, and
+// simulations. RoboTool's validator for RoboSim checks contexts and callers too. The other rules report models that
+// have no meaning.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,7 +21,8 @@ namespace {
 
 // ---------------------------------------------------------------- contexts
 
-/// The kinds of members of an interface that an input or output context must not use, as a list; "" if there are none.
+/// Returns the kinds of members of an interface that an input or output context must not use, as a list, or "" if there
+/// are none.
 std::string unwanted_members(const Context& interface, bool input) {
     std::vector<std::string_view> kinds;
     if (!interface.variables.empty()) kinds.emplace_back("variables or constants");
@@ -41,7 +43,7 @@ void check_used_interfaces(const Context& registers, Diagnostics& out) {
     }
 }
 
-/// A machine or operation has one context of each kind, even if it is empty.
+/// Checks that a machine or operation declares one context of each kind, even if the context is empty.
 void check_contexts(const Context& owner, Diagnostics& out) {
     const bool needs = owner.kind == DeclKind::state_machine || owner.kind == DeclKind::operation;
     for (const auto& [registers, kind] : {std::pair(owner.input.get(), DeclKind::input_context),
@@ -62,7 +64,7 @@ bool is_cycle(const Expr& expr) {
     return strip_parentheses(expr).kind == ExprKind::cycle;
 }
 
-/// The length in `cycle == e`, `(cycle == e)`, `{ cycle == e }` and `e`.
+/// Returns the length e in `cycle == e`, `(cycle == e)`, `{ cycle == e }` or `e`.
 const Expr& cycle_length(const Expr& written) {
     const Expr& expr = strip_parentheses(written);
     if (expr.kind == ExprKind::set && expr.args.size() == 1) return cycle_length(*expr.args[0]);
@@ -86,7 +88,7 @@ void check_cycle(const Context& owner, Diagnostics& out) {
         out.report(rules::misplaced_context, owner.cycle->span,
                    {std::string(to_text(owner.kind)), owner.name, "cycleDef"});
     if (owner.cycle && runs) check_cycle_length(cycle_length(*owner.cycle), out);
-    // The cycle of an inner component is that of the component around it.
+    // An inner component has the cycle of the component that contains it.
     const bool outermost = runs && owner.parent == nullptr && !owner.broken;
     if (outermost && !owner.cycle)
         out.report(rules::no_cycle, owner.name_span, {std::string(to_text(owner.kind)), owner.name});
@@ -106,7 +108,7 @@ void add_scope(const Scope& scope, std::set<std::string>& names) {
     for (const auto& [name, operation] : scope.operations) names.emplace(name);
 }
 
-/// The names of the registers that a component shows. Those of a module belong to its platform.
+/// Returns the names of the registers that a component shows. Those of a module belong to its platform.
 std::set<std::string> register_names(const Declaration* component) {
     std::set<std::string> names;
     const auto* context = dynamic_cast<const Context*>(component);
@@ -151,7 +153,7 @@ void for_calls(const Machine& caller, const Definitions& defined, Visit visit) {
     });
 }
 
-/// The names in `needed` that `offered` does not have.
+/// Returns the names in `needed` that `offered` does not have.
 template <class Map>
 std::string missing_names(const Map& needed, const Map& offered) {
     std::string names;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about clocks and deadlines (language reference 2, Time). The typer reports unknown clocks and states (TE2, TE3,
-// TS1).
+// Checks the rules about clocks and deadlines (language reference 2, Time). The typer reports unknown clocks and states
+// (TE2, TE3, TS1).
 #include <algorithm>
 
 #include "frontend/checks/checks.hpp"
@@ -30,14 +30,14 @@ bool is_comparison(const Expr& expr) {
            op == BinaryOp::greater_equal || op == BinaryOp::equal;
 }
 
-/// CE2: a clock is compared with a number.
+/// Checks CE2: a clock is compared with a number.
 void check_other_side(const Expr& other, Diagnostics& out) {
     const TypePtr type = simplify_type(other.type);
     if (type && !is_compatible(type, make_type(TypeForm::real)))
         out.report(rules::te4_type, other.span, {to_string(type)});
 }
 
-/// TE4: clocks are direct operands of comparisons.
+/// Checks TE4: clocks are direct operands of comparisons.
 void check_condition(const Expr& expr, Diagnostics& out) {
     if (is_timed(expr)) {
         out.report(rules::te4, expr.span, {to_text(expr)});
@@ -58,7 +58,7 @@ bool mentions_time(const Expr& expr) {
     return found;
 }
 
-/// TE5: sinceEntry names a state of the same container as the transition.
+/// Checks TE5: sinceEntry names a state of the same container as the transition.
 void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics& out) {
     walk_tree(expr, [&](const Expr& part) {
         if (part.kind != ExprKind::since_entry || part.target == nullptr) return;
@@ -68,7 +68,7 @@ void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics
     });
 }
 
-/// TE1: only the condition of a transition may read clocks.
+/// Checks TE1: only the condition of a transition may read clocks.
 void check_untimed(const ExprPtr& expr, const std::string& what, Diagnostics& out) {
     if (!expr) return;
     walk_tree(*expr, [&](const Expr& part) {
@@ -87,7 +87,7 @@ void check_transition(const NodeContainer& container, const Transition& transiti
     check_entries(container, *transition.condition, out);
 }
 
-/// TE1: actions do not read clocks.
+/// Checks TE1: actions do not read clocks.
 void check_action(const Stmt& action, Diagnostics& out) {
     walk_tree(action, [&](const Stmt& statement) {
         for_expressions(statement, [&](const Expr& expr) {

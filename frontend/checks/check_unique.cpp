@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations that share a name (published as RP3, I3, C5, STM5, O1). Each name gets one warning, at its second
-// declaration, with notes at the others.
+// Reports declarations that share a name (published as RP3, I3, C5, STM5, O1). Each name gets one warning, at its
+// second declaration, with notes at the others.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The places where one name is declared, first declaration first.
+/// The places at which one name is declared, in the order of the declarations.
 using Places = std::vector<Span>;
 
 void report(std::string_view name, const Places& places, Diagnostics& out) {
@@ -76,8 +76,8 @@ bool is_type(DeclKind kind) {
     return kind == DeclKind::primitive_type || kind == DeclKind::record_type || kind == DeclKind::enumeration;
 }
 
-/// True if two declarations may not share a name, because they have the same kind. Literals and functions may share
-/// names with components.
+/// True if two declarations must not share a name because they have the same kind. Literals and functions may have the
+/// names of components.
 bool names_clash(const Declaration& a, const Declaration& b) {
     if (a.kind == DeclKind::enum_literal || b.kind == DeclKind::enum_literal)
         return a.kind == b.kind && a.parent == b.parent;
@@ -88,8 +88,8 @@ bool names_clash(const Declaration& a, const Declaration& b) {
 
 namespace {
 
-/// Assertions are named on the command line and in reports, so their names must be unique in a package and dialect.
-/// Files of one package in different folders may be copies of a project; each folder is checked separately.
+/// Checks that the names of assertions are unique in a package and dialect, because the command line and reports use
+/// them. Files of one package in different folders may be copies of a project, so each folder is checked separately.
 void check_assertions(const Model& model, Diagnostics& out) {
     std::map<std::tuple<std::string_view, std::string, Dialect>, std::vector<const File*>> together;
     for (const auto& file : model.files)
@@ -104,13 +104,13 @@ void check_assertions(const Model& model, Diagnostics& out) {
     }
 }
 
-/// Checks the declarations of one full name; each kind is reported separately.
+/// Checks the declarations of one full name. Each kind is reported separately.
 void check_entry(const Names& names, const std::string& full, const std::vector<const Declaration*>& declarations,
                  Diagnostics& out) {
     std::vector<std::vector<const Declaration*>> groups;
     std::unordered_set<const Declaration*> entered;
     for (const Declaration* declaration : declarations) {
-        // A literal is entered a second time, under its full name, if its enumeration has a name.
+        // The table contains a literal of a named enumeration twice. Only the entry with the full name is checked.
         if (declaration->kind == DeclKind::enum_literal && full != names.full_name(declaration)) continue;
         if (!entered.insert(declaration).second) continue;
         const auto group =
@@ -127,7 +127,8 @@ void check_entry(const Names& names, const std::string& full, const std::vector<
     }
 }
 
-/// The csp blocks of a file belong to one script. A name may be used once for a timed and once for an untimed process.
+/// Checks the names of csp blocks. The blocks of a file belong to one script. A name may be used once for a timed and
+/// once for an untimed process.
 void check_blocks(const File& file, Diagnostics& out) {
     std::map<std::string_view, std::vector<const CspBlock*>> blocks;
     for (const CspBlock& block : file.csp_blocks) blocks[block.name].push_back(&block);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The well-formedness rules of a resolved model, grouped by area (private to the front end).
+// Checks the well-formedness rules of a resolved model, grouped by area (private to the front end).
 #pragma once
 
 #include <optional>
@@ -25,11 +25,11 @@ void check_type(const TypeDeclaration& type, Diagnostics& out);
 void check_provision(const Component& component, Diagnostics& out);
 /// Checks rules Cn2 to Cn11 (without Cn10), C6 and M3: connections of a controller or module.
 void check_connections(const Component& component, Diagnostics& out);
-/// Checks rule Cn10: the component at a connection end has the event. A component that lacks a whole interface is
-/// reported once. It is not reported if its own uses of the events have already been reported.
+/// Checks rule Cn10: the component at a connection end has the event. A component without a whole interface is reported
+/// once. It is not reported if errors at its own uses of the events have been reported.
 void check_ends(const Model& model, const Names& names, Diagnostics& out);
-/// Checks rules Cn5 to Cn9: the direction of a connection agrees with what machines send and receive, and with what
-/// controllers pass on.
+/// Checks rules Cn5 to Cn9: the direction of a connection agrees with the events that machines send and receive, and
+/// with the connections inside controllers.
 void check_directions(const Component& component, Diagnostics& out);
 /// Checks rules TT1, TE1, TE4, TE5 and CE2, about clocks and deadlines, and RC-U01, about untimed checks.
 void check_time(const Machine& machine, Diagnostics& out);
@@ -40,8 +40,8 @@ void check_simulation(const Simulation& simulation, Diagnostics& out);
 /// Checks rules RC-Y07 and RC-Y15: the lengths that a claim of RoboSim gives to cycles are positive numbers, and the
 /// components that it compares have a common register.
 void check_claim(const Assertion& assertion, Diagnostics& out);
-/// The value of an expression over literals and constants that have values. The function follows at most `constants`
-/// references, because constants may refer to each other cyclically.
+/// Returns the value of an expression over literals and constants that have values. The function follows at most
+/// `constants` references, because constants may refer to each other cyclically.
 [[nodiscard]] std::optional<double> constant_value(const Expr& expr, int constants = 20);
 /// Checks rule RC-N03: declarations, assertions and csp blocks have different names.
 void check_unique(const Model& model, const Names& names, Diagnostics& out);

@@ -10,7 +10,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The printer escapes the words that RoboChart reserves. A word that only RoboSim reserves gets its `^` here.
+/// Adds `^` to a word that only RoboSim reserves. The printer escapes the words that RoboChart reserves.
 std::string escape_word(const std::string& word) {
     return is_reserved(word, Dialect::robosim) && !is_reserved(word) ? "^" + word : word;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows the transitions that a machine may take in a cycle after it has taken an input.
+// Finds inputs that may be taken twice: follows the transitions that a machine may take in a cycle after it has taken
+// an input.
 #include "frontend/cycles/event_reuse.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ bool entry_waits(const State& state, const Callers& callers) {
     });
 }
 
-/// True if every run of the operation ends a cycle before the operation branches for the first time.
+/// True if the operation certainly ends a cycle on the path from its initial junction to its first branch.
 bool operation_waits(const Machine& operation, const Callers& callers) {
     const State* node = initial_of(operation);
     for (std::size_t steps = 0; node != nullptr && steps <= operation.nodes.size(); ++steps) {
@@ -78,7 +79,7 @@ bool surely_waits(const Stmt& action, const Callers& callers) {
 
 namespace {
 
-/// The steps of a machine in the cycle in which it takes an input.
+/// Follows a machine in the cycle in which it takes an input.
 class SameCycle {
 public:
     SameCycle(const Callers& callers, const std::string& event) : callers_(callers), event_(event) {
@@ -141,7 +142,7 @@ private:
     bool again_ = false;
 };
 
-/// The inputs that statements, or the operations that the machine calls, take.
+/// Returns the inputs that statements of the machine, or the operations that it calls, take.
 std::set<std::string> taken_in_actions(const Callers& callers, const Usage& usage) {
     std::set<std::string> result;
     const auto add_statements = [&](const NodeContainer& top) {

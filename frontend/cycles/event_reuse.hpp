@@ -13,8 +13,8 @@ namespace robochart::frontend {
 /// True if every run of the action ends a cycle: it waits for at least one time unit.
 [[nodiscard]] bool surely_waits(const Stmt& action, const Callers& callers);
 
-/// The inputs for which the machine, with its operations, must store whether they were taken. The result may contain
-/// inputs that are never taken twice.
+/// Returns the inputs for which the machine and its operations must store whether they were taken. The result may
+/// contain inputs that are never taken twice.
 [[nodiscard]] std::set<std::string> reusable_inputs(const Callers& callers);
 
 }  // namespace robochart::frontend

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes statements. A statement that ends no cycle, or a known small number of cycles, stays in its action. Other
-// statements become transitions with junctions between them. No other transition interrupts the machine in a junction,
-// just as none interrupts an action.
+// statements become transitions with junctions between them. No other transition can be taken while the machine is in a
+// junction, as none can be taken during an action.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -63,7 +63,7 @@ void MachineWriter::need_clock(const Declaration& clock) {
     if (!own) needed_.emplace(clock.name, "clock " + robosim_name(clock.name));
 }
 
-/// The expression; `replaced` is written as `by`.
+/// Writes an expression, in which the text `by` replaces the variable `replaced`.
 std::string MachineWriter::expression(const Expr& expr, const Variable* replaced, const std::string& by) {
     walk_tree(expr, [&](const Expr& part) {
         if (part.kind == ExprKind::since && part.target != nullptr) need_clock(*part.target);
@@ -80,7 +80,7 @@ std::string MachineWriter::expression(const Expr& expr, const Variable* replaced
     });
 }
 
-/// `$e?v`, or `$e?$x` if the variable is a register.
+/// Writes `$e?v`, or `$e?$x` if the variable is a register.
 std::string MachineWriter::store_text(const Communication& communication) {
     const auto& variable = dynamic_cast<const Variable&>(*communication.variable_target);
     need(variable);
@@ -89,7 +89,8 @@ std::string MachineWriter::store_text(const Communication& communication) {
                        robosim_name(variable.name));
 }
 
-/// The variable that stores a received value that the model does not store, but that a condition tests.
+/// Returns the new variable for a received value. It is needed if the model does not store the value, but a condition
+/// tests it.
 std::string MachineWriter::received(const Event& event) {
     const auto [known, added] = received_.try_emplace(event.name);
     if (!added) return known->second;
@@ -98,7 +99,7 @@ std::string MachineWriter::received(const Event& event) {
     return known->second;
 }
 
-/// `e_free`, the variable for an input that can be taken twice in a cycle; "" for other inputs.
+/// Returns the variable `e_free` of an input that can be taken twice in a cycle, or "" for other inputs.
 std::string MachineWriter::flag(const std::string& event) {
     if (!reusable_.contains(event)) return "";
     const std::string name = flag_name(callers_, event);
@@ -106,7 +107,7 @@ std::string MachineWriter::flag(const std::string& event) {
     return name;
 }
 
-/// The assignments after the end of a cycle. They record that each input can be taken again.
+/// Returns the assignments after the end of a cycle, which record that each input can be taken again.
 std::string MachineWriter::reset_text() {
     std::string text;
     for (const std::string& event : reusable_) text += fmt::format("; {} = true", flag(event));
@@ -119,7 +120,7 @@ std::string MachineWriter::cycle_end_text() {
 
 // ---------------------------------------------------------------- simple statements
 
-/// The number of cycles that a time takes; no value if it is not a literal.
+/// Returns the number of cycles that a time takes, or no value if it is not a literal.
 std::optional<std::int64_t> MachineWriter::cycles_of(const Expr& time) const {
     const std::optional<std::int64_t> units = literal_value(time);
     if (component_.cycle == 1) return units;
@@ -178,7 +179,7 @@ std::string MachineWriter::assignment_text(const Stmt& statement) {
     return fmt::format("{} = {}", expression(*statement.target), expression(*statement.value));
 }
 
-/// The longest time that an action takes; no value: unknown.
+/// Returns the longest time that an action takes, or no value if it is unknown.
 std::optional<std::int64_t> MachineWriter::longest_time(const Stmt& statement) const {
     switch (statement.kind) {
         case StmtKind::wait:
@@ -212,7 +213,8 @@ std::optional<std::int64_t> MachineWriter::longest_time(const Stmt& statement) c
     return 0;
 }
 
-/// A deadline has no effect if the action never takes more time. In cycles, an output never waits.
+/// Rejects a deadline that may be missed. A deadline has no effect if the action never takes more time, because an
+/// output never waits in a model run in cycles.
 void MachineWriter::check_deadline(const Stmt& statement) const {
     const std::optional<std::int64_t> time = longest_time(*statement.body[0]);
     const std::optional<std::int64_t> bound = literal_value(*statement.value);
@@ -305,7 +307,7 @@ void MachineWriter::add_statement(Way& way, const Stmt& statement) {
     }
 }
 
-/// `e?x` as a statement: cycles pass until the register is full.
+/// Writes `e?x` as a statement: cycles pass until the register contains a value.
 void MachineWriter::add_communication(Way& way, const Stmt& statement) {
     const Communication& communication = *statement.communication;
     if (communication.predicate || !communication.from_variable.empty())
@@ -344,7 +346,8 @@ void MachineWriter::check_time(const Expr& time) const {
     });
 }
 
-/// A wait: cycles pass until a clock has this time. A wait in an interval may end at any time of the interval.
+/// Writes a wait: cycles pass until a clock shows this time. A wait with an interval may end at any time in the
+/// interval.
 void MachineWriter::add_wait(Way& way, const Expr& least, const Expr& most) {
     check_time(least);
     check_time(most);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations, nodes and transitions.
+// Writes the declarations, nodes and transitions of a machine.
 #include "frontend/cycles/machine_writer.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ const std::string& interface_of_register(const CyclicComponent& component, const
 
 // ---------------------------------------------------------------- names
 
-/// A name that no node and no transition of the container has.
+/// Returns a name that no node and no transition of the container has.
 std::string MachineWriter::new_name(const std::string& stem) {
     std::string name = stem;
     for (std::size_t i = 2; !node_names_.insert(name).second; ++i) name = fmt::format("{}_{}", stem, i);
@@ -168,7 +168,7 @@ bool MachineWriter::tests_value(const Transition& transition) const {
            mentions(*transition.condition, transition.trigger->variable_target);
 }
 
-/// The condition of a transition, in which the variable `by` replaces the received value.
+/// Returns the condition of a transition, with the received value replaced by the variable `by`.
 std::string MachineWriter::tested_value(const Transition& transition, const std::string& by) {
     const auto* variable = dynamic_cast<const Variable*>(transition.trigger->variable_target);
     return expression(*transition.condition, variable, by);
@@ -181,7 +181,8 @@ void MachineWriter::check_trigger(const Communication& trigger) const {
                            "in RoboSim, an input has no condition on its sender and no given value");
 }
 
-/// The condition under which a transition is taken, including the parts that store received values; "": always.
+/// Returns the condition under which a transition is taken, including the parts that store received values. The result
+/// is "" if it is always taken.
 std::string MachineWriter::taken_condition(const Transition& transition) {
     if (!transition.trigger) return transition.condition ? expression(*transition.condition) : "";
     const Communication& trigger = *transition.trigger;
@@ -207,8 +208,8 @@ std::string MachineWriter::taken_condition(const Transition& transition) {
     return conjunction(text, free);
 }
 
-/// The condition under which a transition is not enabled. It is the negation of `taken_condition`, without the parts
-/// that store values in variables of the model.
+/// Returns the condition under which a transition is not enabled. It is the negation of `taken_condition`, without the
+/// parts that store values in variables of the model.
 std::string MachineWriter::rest_condition(const Transition& transition) {
     if (!transition.trigger) return fmt::format("not ({})", expression(*transition.condition));
     const auto& event = dynamic_cast<const Event&>(*transition.trigger->event_target);
@@ -226,7 +227,7 @@ std::string MachineWriter::rest_condition(const Transition& transition) {
     return parts.size() == 1 ? text : "(" + text + ")";
 }
 
-/// The condition under which no transition is enabled, and no during action runs.
+/// Returns the condition under which no transition is enabled, and no during action runs.
 std::string MachineWriter::idle_condition(const Surroundings& inside) {
     std::vector<std::string> parts;
     const auto add = [&](const std::string& part) {
@@ -279,7 +280,7 @@ namespace {
 
 bool may_wait(const Stmt& action, const Callers& callers);
 
-/// The statements of an action in order, without the brackets and deadlines around them.
+/// Collects the statements of an action in order, without the parentheses and deadlines around them.
 void flatten_action(const Stmt& statement, std::vector<const Stmt*>& parts) {
     if (statement.kind != StmtKind::sequence && statement.kind != StmtKind::parenthesised) {
         parts.push_back(&statement);
@@ -395,7 +396,7 @@ bool takes_no_time(const Machine& operation, const Callers& callers) {
 
 }  // namespace
 
-/// The during action. At its end, it sets the variable `busy` to false; the cycle ends only then.
+/// Returns the during action. At its end it sets the variable `busy` to false, because the cycle may only end then.
 std::string MachineWriter::during_text(const State& state, const std::string& busy) {
     std::string text;
     for (const Action& action : state.actions) {
@@ -418,8 +419,8 @@ std::string MachineWriter::during_text(const State& state, const std::string& bu
 
 namespace {
 
-/// The time at which the value of a comparison of a clock with a number `n` changes. It changes once: at `n`, or one
-/// time unit later.
+/// Returns the time at which the value of a comparison of a clock with a number `n` changes. It changes once: at `n`,
+/// or one time unit later.
 std::optional<std::int64_t> time_of_change(const Expr& comparison) {
     if (comparison.kind != ExprKind::binary || comparison.args[1]->kind != ExprKind::integer) return std::nullopt;
     const ExprKind left = comparison.args[0]->kind;
@@ -439,8 +440,8 @@ std::optional<std::int64_t> time_of_change(const Expr& comparison) {
 
 }  // namespace
 
-/// A transition without trigger is taken as soon as its condition holds. Checks that the condition becomes true only at
-/// the beginning of a cycle.
+/// Checks that the condition of a transition without trigger becomes true only at the beginning of a cycle, because
+/// such a transition is taken as soon as its condition holds.
 void MachineWriter::check_times(const Transition& transition) const {
     if (component_.cycle == 1 || transition.trigger || !transition.condition) return;
     std::size_t clocks = 0, checked = 0;

@@ -31,11 +31,11 @@ struct SharedInterfaces {
 struct CyclicComponent {
     std::uint32_t cycle = 1;
     SharedInterfaces interfaces;
-    Usage usage;         ///< of all machines
+    Usage usage;         ///< the usage of all machines
     bool alone = false;  ///< the component is a machine; its contexts then contain all these registers
 };
 
-/// Whether a register of this name belongs to an interface: `read`, `written` or `both`.
+/// Returns the name of the interface that contains the register with this name: `read`, `written` or `both`.
 [[nodiscard]] const std::string& interface_of_register(const CyclicComponent&, const std::string& name);
 
 class MachineWriter {
@@ -44,10 +44,11 @@ public:
                   const std::set<std::string>& reusable, Usage usage)
         : component_(component), callers_(callers), machine_(machine), reusable_(reusable), usage_(std::move(usage)) {}
 
-    // `usage`: the registers of the contexts.
-    /// Returns the text of the machine, which gets this name. Throws NoCyclicForm.
+    /// Returns the text of the machine, which gets this name. Its contexts contain the registers in the constructor's
+    /// `usage`. Throws NoCyclicForm.
     [[nodiscard]] std::string write(const std::string& name);
-    /// The members of the interface `callers` that the operation needs: their declarations, by name. `write` sets them.
+    /// Returns the declarations of the members of the interface `callers` that the operation needs, by name. Only valid
+    /// after `write`.
     [[nodiscard]] const std::map<std::string, std::string>& needed_of_caller() const { return needed_; }
 
 private:
@@ -61,7 +62,7 @@ private:
     /// The context of the nodes in a container.
     struct Surroundings {
         const State* state = nullptr;             ///< null: the machine itself
-        std::vector<const Transition*> outgoing;  ///< of all enclosing states
+        std::vector<const Transition*> outgoing;  ///< the outgoing transitions of all enclosing states
         std::vector<std::string> busy;            ///< variables that are true while a during action runs
         std::vector<const Stmt*> first;           ///< actions to execute before control leaves the inner initial node
         std::string entry_clock;                  ///< for sinceEntry of the state; "": none
@@ -123,16 +124,16 @@ private:
     const std::set<std::string>& reusable_;
     Usage usage_;
     std::string out_;
-    std::set<std::string> node_names_;              ///< of the current container
-    std::set<std::string> variable_names_;          ///< of the machine, with the new ones
+    std::set<std::string> node_names_;              ///< the names of the nodes of the current container
+    std::set<std::string> variable_names_;          ///< the variables of the machine, including new ones
     std::map<std::string, std::string> new_lines_;  ///< declarations of new variables and clocks, by name
     std::map<std::string, std::string> received_;   ///< by event: the variable for values that conditions test
     std::map<std::string, std::string> needed_;
-    std::map<const Declaration*, std::string> entry_clocks_;  ///< for sinceEntry, by state
+    std::map<const Declaration*, std::string> entry_clocks_;  ///< the clocks that replace sinceEntry, by state
     std::string clock_;                                       ///< for waits; "": none yet
 };
 
-/// The name of the variable that is true while an input can still be taken in the cycle.
+/// Returns the name of the variable that is true while an input can still be taken in the cycle.
 [[nodiscard]] std::string flag_name(const Callers& callers, const std::string& event);
 
 }  // namespace robochart::frontend

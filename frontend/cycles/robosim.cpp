@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Components around machines: controllers, modules, the interfaces that they share, and the claims.
+// Writes controllers, modules, the interfaces that they share, and the claims.
 #include "frontend/cycles/robosim.hpp"
 
 #include <fmt/format.h>
@@ -105,8 +105,8 @@ private:
         }
     }
 
-    /// The environment may write every variable that the component requires, even one that the component does not use.
-    /// In the RoboSim model, each of these variables is therefore both an input and an output register.
+    /// Adds the variables that the component requires. The environment may write all of them, even those that the
+    /// component does not use. In the RoboSim model, each of them is therefore both an input and an output register.
     void add_required(const Context& subject) {
         reads_ = !component_.usage.read.empty();
         for (const Variable* variable : required_variables(subject)) {
@@ -116,7 +116,7 @@ private:
         }
     }
 
-    /// The names of the interfaces: only those with members.
+    /// Chooses names for the interfaces that have members.
     void name_interfaces() {
         const auto name = [&](bool used, const char* what) {
             return used ? robosim_name(subject_.context->name + what) : std::string();
@@ -205,8 +205,8 @@ private:
         }
     }
 
-    /// In RoboChart, a machine inside a controller may call operations that the controller defines. A machine of
-    /// RoboSim may not.
+    /// Rejects calls of operations that the controller defines. Only RoboChart allows them in a machine inside a
+    /// controller.
     void check_calls(const Machine& machine, const Usage& usage) const {
         const auto* controller = dynamic_cast<const Component*>(machine.parent);
         if (controller == nullptr) return;
@@ -229,7 +229,7 @@ private:
         return result;
     }
 
-    /// An event that the machine does not use is a register too, if the controller connects it.
+    /// Adds the events that the controller connects. They are registers even if the machine does not use them.
     static void add_connected(const Component& controller, CyclicMachine& machine) {
         const Scope scope = scope_of(machine.callers.root());
         for (const auto& connection : controller.connections)
@@ -243,7 +243,8 @@ private:
             }
     }
 
-    /// An input without connection occurs at any time in RoboChart, and in RoboSim its register has any content.
+    /// Rejects inputs without connection. In RoboChart such an input can occur at any time, and in RoboSim its register
+    /// can have any content.
     static void check_connected(const Component& outer, const std::string& part, const Usage& usage) {
         for (const auto& [name, event] : usage.inputs) {
             const std::string& input = name;  // clang 14 does not capture structured bindings
@@ -260,7 +261,7 @@ private:
     }
 
     /// Rejects machines that communicate with each other. In RoboChart, an event or a write of a shared variable
-    /// reaches another machine at once; in RoboSim, it reaches the machine one cycle later.
+    /// reaches another machine at once. In RoboSim, it reaches the machine one cycle later.
     static void check_independent(const Component& controller, const std::vector<CyclicMachine>& machines) {
         for (const auto& connection : controller.connections)
             if (connection->from.node.text() != controller.name && connection->to.node.text() != controller.name)
@@ -287,7 +288,7 @@ private:
             }
     }
 
-    /// Declares the events of a node of `outer` that the connections of `outer` name.
+    /// Declares the events of a component in `outer` that the connections of `outer` use.
     static std::string event_lines(const std::vector<const Event*>& events, const Component& outer,
                                    const std::string& node) {
         std::string text;
@@ -387,7 +388,7 @@ private:
                                    "in RoboSim, an event between components arrives one cycle later");
     }
 
-    /// Controllers may not share a variable that one of them writes.
+    /// Rejects controllers that share a variable that one of them writes.
     static void check_shared(const std::vector<NamedPart<Component>>& controllers,
                              const std::vector<std::vector<CyclicMachine>>& machines) {
         std::vector<Usage> usage(machines.size());
@@ -439,8 +440,8 @@ private:
 
     // ------------------------------------------------------------ files
 
-    /// The name of the RoboSim component. In the unnamed package it needs a new name, because the RoboChart component
-    /// has the old one.
+    /// Returns the name of the RoboSim component. In the unnamed package the name must differ from the name of the
+    /// RoboChart component.
     std::string new_name() const {
         const std::string& name = subject_.context->name;
         return robosim_name(subject_.file->package.empty() ? name + "_sim" : name);
@@ -509,7 +510,8 @@ private:
                            signature.terminates ? " [terminates]" : "");
     }
 
-    /// The reason why only the RoboSim model refines the component; "": both refine each other.
+    /// Returns the reason why the RoboSim model refines the component but not vice versa, or "" if they refine each
+    /// other.
     std::string one_way() const {
         if (reads_) return "the environment may write a variable that it reads in the middle of a cycle";
         if (during_outputs_)
@@ -554,7 +556,8 @@ private:
         return text;
     }
 
-    /// If the component is a machine, the contexts are those of the RoboSim machine.
+    /// Writes the contexts of the simulation. If the component is a machine, they are the contexts of the RoboSim
+    /// machine.
     std::string contexts() const {
         const std::size_t begin = body_.find("input context");
         const std::size_t output = body_.find("output context", begin);

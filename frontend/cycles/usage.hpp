@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a state machine of RoboChart, with the operations that it calls, reads and writes: the registers of the RoboSim
-// machine that runs it in cycles.
+// Computes what a RoboChart state machine and the operations that it calls read and write. These are the registers of
+// the RoboSim machine that runs it in cycles.
 #pragma once
 
 #include <map>
@@ -40,12 +40,12 @@ public:
         : root_(&root), definitions_(std::move(definitions)) {}
 
     [[nodiscard]] const Machine& root() const { return *root_; }
-    /// The definition of an operation; null if the platform implements the operation.
+    /// Returns the definition of an operation, or null if the platform implements the operation.
     [[nodiscard]] const Machine* definition(std::string_view operation) const;
-    /// The role of a variable or constant in the machine or in an operation that it calls.
+    /// Returns the role of a variable or constant in the machine or in an operation that it calls.
     [[nodiscard]] VariableRole role(const Machine& where, const Variable& variable) const;
-    /// The variable with this name that the calling machine itself has. `name` is the name of a variable that an
-    /// operation requires.
+    /// Returns the variable with this name that the calling machine itself has. `name` is the name of a variable that
+    /// an operation requires.
     [[nodiscard]] const Variable* variable_of_root(std::string_view name) const;
 
 private:
@@ -53,20 +53,20 @@ private:
     std::vector<const Machine*> definitions_;
 };
 
-/// Names, in alphabetical order, with their declarations.
+/// The registers and constants that a machine uses: names in alphabetical order, with their declarations.
 struct Usage {
     std::map<std::string, const Event*> inputs, outputs;
     std::map<std::string, const Variable*> read, written;  ///< registers
     std::map<std::string, const Variable*> constants;      ///< VariableRole::constant
     std::map<std::string, const OperationSignature*> platform, software;
 };
-/// Usage of a machine or operation, with the operations that it calls.
+/// Returns the usage of a machine or operation, including the operations that it calls.
 [[nodiscard]] Usage usage_of(const Machine&, const Callers&);
 
-/// True for `e?x` as a statement or trigger, and for `e` and `e.v` as a trigger.
+/// True if the communication receives: `e?x` in a statement or trigger, or `e` or `e.v` in a trigger.
 [[nodiscard]] bool is_input(const Communication& communication, bool trigger);
 
-/// The variable on the left side of an assignment; null if it was not found.
+/// Returns the variable on the left side of an assignment, or null if it was not found.
 [[nodiscard]] const Variable* assigned_variable(const Stmt& assignment);
 
 }  // namespace robochart::frontend

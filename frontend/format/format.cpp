@@ -14,7 +14,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The tokens of a text, with the text.
+/// A text and its tokens.
 struct Words {
     std::string_view text;
     const TokenStream& stream;
@@ -24,7 +24,7 @@ struct Words {
     }
 };
 
-/// The tokens of a text. Syntax errors are ignored, because the text has been parsed before or because errors do not
+/// Returns the tokens of a text. Syntax errors are ignored: either the text has been parsed before, or errors do not
 /// change the result.
 TokenStream words_of(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions) {
     diagnostics::Diagnostics ignored;
@@ -39,7 +39,7 @@ struct CommentReader {
     std::size_t plain_until = 0;  ///< blanks before this offset are inside a line
 
     static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-    /// The next character; 0 at the end.
+    /// Returns the next character, or 0 at the end.
     char next_character() {
         if (at >= text.size()) return '\0';
         if (at < plain_until || !is_blank(text[at])) return text[at++];
@@ -65,7 +65,7 @@ bool same_comment(std::string_view a, std::string_view b) {
     }
 }
 
-/// The line end to write: CRLF if the whole text uses CRLF, otherwise LF.
+/// Returns the line end to write: CRLF if the whole text uses CRLF, otherwise LF.
 std::string_view line_end(std::string_view text) {
     std::size_t crlf = 0;
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -90,7 +90,7 @@ bool same_tokens(const Words& a, const Words& b) {
            std::ranges::equal(comments, other_comments, same_comments);
 }
 
-/// True if `other`, which is tokenized here in the dialect of `path`, has the same tokens and comments.
+/// Tokenizes `other` in the dialect of `path`. True if it has the same tokens and comments as `words`.
 bool same_tokens(const Words& words, const std::string& other, const std::string& path, bool is_assertions) {
     diagnostics::SourceManager sources;
     const auto source = sources.add(path, other);
@@ -98,7 +98,7 @@ bool same_tokens(const Words& words, const std::string& other, const std::string
     return same_tokens(words, {sources.source_text(source), stream});
 }
 
-/// The spans of the parts of an assertion file that are copied as text; no value if there are syntax errors.
+/// Returns the spans of the parts of an assertion file that are copied as text, or no value if there are syntax errors.
 std::optional<std::vector<diagnostics::Span>> kept_parts(const diagnostics::SourceManager& sources,
                                                          diagnostics::SourceId source, bool is_assertions,
                                                          diagnostics::Diagnostics& out) {

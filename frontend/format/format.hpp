@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change. Tokens,
-// comments, CSP blocks and parts for other tools are not changed.
+// Formats RoboChart and assertion text in the standard layout (docs/format.md). Only blanks and line ends change.
+// Tokens, comments, CSP blocks and parts for other tools are not changed.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace robochart::frontend {
 
-/// Returns the text in the standard layout; formatting the result again does not change it. Returns no value if the
+/// Returns the text in the standard layout. Formatting the result again does not change it. Returns no value if the
 /// text has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost, which is an
 /// internal error.
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,

@@ -16,7 +16,7 @@ Doc AssertionLayout::format_member(Gap gap) {
     return at_probabilistic_part() ? probabilistic_part(gap) : format_token(gap);
 }
 
-/// A part for another tool, up to the last token that the parser assigned to it.
+/// Formats a part for another tool, which ends with the last token that the parser assigned to the part.
 Doc AssertionLayout::format_kept_part(Gap gap) {
     const Doc before = this->format_gap(gap);
     const diagnostics::Span span = kept_[kept_at_++];
@@ -25,7 +25,7 @@ Doc AssertionLayout::format_kept_part(Gap gap) {
     return doc_.cat(before, doc_.plain_text(text().substr(span.begin, span.end - span.begin)));
 }
 
-/// `timed csp NAME associated to X, Y csp-begin … csp-end`
+/// Formats `timed csp NAME associated to X, Y csp-begin … csp-end`.
 Doc AssertionLayout::csp_block(Gap gap) {
     const std::size_t head = at_word("csp") ? 2 : 3;
     Doc result = format_words(gap, head);
@@ -36,7 +36,7 @@ Doc AssertionLayout::csp_block(Gap gap) {
     return doc_.cat(result, format_token(Gap::blank));
 }
 
-/// `simulation N of M { cycleDef e input context {…} output context {…} }`, one part per line
+/// Formats `simulation N of M { cycleDef e input context {…} output context {…} }`, with one part per line.
 Doc AssertionLayout::format_simulation(Gap gap) {
     const Doc head = cat({format_words(gap, 3), format_names(Gap::blank), format_token(Gap::blank)});
     Doc body = 0;
@@ -47,7 +47,7 @@ Doc AssertionLayout::format_simulation(Gap gap) {
     return cat({head, doc_.nest_indented(body), close, advance()});
 }
 
-/// `timed assertion NAME : … in the … model with … .`
+/// Formats `timed assertion NAME : … in the … model with … .`
 Doc AssertionLayout::format_assertion(Gap gap) {
     const Doc before = this->format_gap(gap);
     const std::size_t head = at_word("assertion") ? 3 : 4;
@@ -64,13 +64,14 @@ Doc AssertionLayout::format_assertion(Gap gap) {
     return at(".") ? doc_.cat(result, format_token(Gap::none)) : result;
 }
 
-/// A token, or two joined by `-`.
+/// Formats a token, or two joined by `-`.
 Doc AssertionLayout::format_hyphenated() {
     const Doc word = format_token(Gap::blank);
     return at("-") ? cat({word, format_token(Gap::none), format_token(Gap::none)}) : word;
 }
 
-/// `X is …`, `X does not …`, `X terminates`, `X refines Y`, `X equals Y`, `clock C is initialised`, `event E is …`
+/// Formats `X is …`, `X does not …`, `X terminates`, `X refines Y`, `X equals Y`, `clock C is initialised` or `event E
+/// is …`.
 Doc AssertionLayout::assertion_body() {
     const Doc subject = at("clock") || at("event") ? format_phrase(Gap::blank) : format_names(Gap::blank);
     if (at_word("refines") || at_word("equals")) return cat({subject, format_phrase(Gap::blank)});
@@ -80,7 +81,7 @@ Doc AssertionLayout::assertion_body() {
     return described ? doc_.cat(result, format_property()) : result;
 }
 
-/// `deadlock-free`, `reachable in X`, `equal to Y`, `refine Y`, `terminate`, `missed in X for N time units`
+/// Formats `deadlock-free`, `reachable in X`, `equal to Y`, `refine Y`, `terminate` or `missed in X for N time units`.
 Doc AssertionLayout::format_property() {
     if (at_word("missed")) {
         const Doc missed = cat({format_token(Gap::blank), format_phrase(Gap::blank)});
@@ -93,7 +94,7 @@ Doc AssertionLayout::format_property() {
     return related ? cat({word, format_phrase(Gap::blank)}) : word;
 }
 
-/// `with P, P and P`
+/// Formats `with P, P and P`.
 Doc AssertionLayout::format_parameters() {
     Doc result = cat({format_token(Gap::line), format_parameter(Gap::blank)});
     while (at(",") || at_word("and")) {
@@ -108,7 +109,7 @@ Doc AssertionLayout::format_parameters() {
     return result;
 }
 
-/// `constant v of X set to e`, `cycleDef of X set to e`
+/// Formats `constant v of X set to e` or `cycleDef of X set to e`.
 Doc AssertionLayout::format_parameter(Gap gap) {
     const Doc set = at("cycleDef") ? format_token(gap) : format_phrase(gap);
     Doc result = cat({set, format_phrase(Gap::blank)});

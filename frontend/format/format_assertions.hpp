@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of assertion files, with one assertion per line. CSP blocks and parts for other tools are copied
-// unchanged. Private to the formatter.
+// Formats assertion files, with one assertion per line. CSP blocks and parts for other tools are copied unchanged.
+// Private to the formatter.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@
 
 namespace robochart::frontend {
 
-/// Holds the spans of the parts of other tools that have not been written yet.
+/// Formats an assertion file. The object stores the spans of the parts for other tools that it has not written yet.
 class AssertionLayout final : public ExpressionLayout {
 public:
     /// `foreign_spans` contains the spans of the parts for other tools, in textual order.

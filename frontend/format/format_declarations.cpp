@@ -17,7 +17,7 @@ Doc ModelLayout::format_members(ModelPart part, Gap inside, Gap between) {
     return doc_.cat(result, closing_comments());
 }
 
-/// `{ … }`; `inside` is what follows the brace, `between` what separates members.
+/// Formats `{ … }`. `inside` is the gap after the opening brace, and `between` is the gap between members.
 Doc ModelLayout::format_braces(ModelPart part, Gap inside, Gap between) {
     const Doc open = format_token(Gap::blank);
     const Doc body = format_members(part, inside, between);
@@ -96,14 +96,14 @@ Doc ModelLayout::format_declaration(Gap gap) {
     return at_name() ? format_signature(gap) : format_token(gap);
 }
 
-/// `stm S { … }`, `robotic platform R { … }`
+/// Formats `stm S { … }` or `robotic platform R { … }`.
 Doc ModelLayout::format_block(Gap gap) {
     Doc head = format_token(gap);
     while (!at("{") && !at_end()) head = doc_.cat(head, format_token(Gap::blank));
     return doc_.cat(head, format_braces(&ModelLayout::format_member, Gap::first, Gap::member));
 }
 
-/// `operation O(…) { … }`, `function f(…) : T { … }`
+/// Formats `operation O(…) { … }` or `function f(…) : T { … }`.
 Doc ModelLayout::format_operation(Gap gap) {
     Doc head =
         cat({format_token(gap), format_token(Gap::blank), format_list(Gap::none, &ModelLayout::format_variable)});
@@ -128,7 +128,7 @@ Doc ModelLayout::format_literal(Gap gap) {
     return at("(") ? doc_.cat(name, format_list(Gap::none, &ModelLayout::format_type)) : name;
 }
 
-/// `uses I, J`
+/// Formats `uses I, J`.
 Doc ModelLayout::format_interfaces(Gap gap) {
     const Doc before = this->format_gap(gap);
     const Doc word = format_token(Gap::done);
@@ -138,7 +138,7 @@ Doc ModelLayout::format_interfaces(Gap gap) {
     return group(before, cat({word, first, doc_.nest_indented(rest)}));
 }
 
-/// `var a : T = e, b : T`
+/// Formats `var a : T = e, b : T`.
 Doc ModelLayout::format_variables(Gap gap) {
     const Doc before = this->format_gap(gap);
     const Doc word = format_token(Gap::done);
@@ -148,7 +148,7 @@ Doc ModelLayout::format_variables(Gap gap) {
     return group(before, cat({word, first, doc_.nest_indented(rest)}));
 }
 
-/// `a : T = e`: variables, constants, parameters, fields.
+/// Formats `a : T = e`: a variable, constant, parameter or field.
 Doc ModelLayout::format_variable(Gap gap) {
     const Doc result = format_typed(gap);
     return at("=") ? cat({result, format_token(Gap::blank), format_expression(Gap::blank)}) : result;
@@ -159,7 +159,7 @@ Doc ModelLayout::format_event(Gap gap) {
     return doc_.cat(word, format_typed(Gap::blank));
 }
 
-/// `op(p : T) [terminates]`
+/// Formats `op(p : T) [terminates]`.
 Doc ModelLayout::format_signature(Gap gap) {
     const Doc name = format_token(gap);
     const Doc result = doc_.cat(name, format_list(Gap::none, &ModelLayout::format_variable));
@@ -171,7 +171,7 @@ Doc ModelLayout::format_reference(Gap gap) {
     return doc_.cat(head, format_names(Gap::blank));
 }
 
-/// `connection A on e to B on f (_async) [mult]`
+/// Formats `connection A on e to B on f (_async) [mult]`.
 Doc ModelLayout::format_connection(Gap gap) {
     Doc result = format_phrase(gap);
     while (at("on") || at("to")) result = doc_.cat(result, format_phrase(Gap::blank));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds and prints documents: a group is printed on one line if it fits, otherwise its breaks become line ends.
+// Builds and prints documents. A group is printed on one line if it fits. Otherwise its breaks become line ends.
 #include "frontend/format/format_document.hpp"
 
 #include <algorithm>

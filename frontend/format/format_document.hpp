@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents that can be laid out in several ways (private to the formatter), after Wadler, "A prettier printer" (2003).
-// A group is written on one line if it fits; otherwise the breaks directly in it become line ends. Nodes store their
-// widths, so each decision takes constant time.
+// Builds and prints documents that can be laid out in several ways (private to the formatter), after Wadler, "A
+// prettier printer" (2003). A group is written on one line if it fits. Otherwise the breaks directly in it become line
+// ends. Nodes store their widths, so each decision takes constant time.
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,17 @@ inline constexpr std::uint16_t line_limit = 120;
 /// The last column up to which a body in braces may be written on one line.
 inline constexpr std::uint16_t body_limit = 80;
 
-/// Owns the nodes.
+/// Owns the nodes of documents.
 class Document {
 public:
     Document();
 
-    /// A text that is written unchanged. The view must outlive the document.
+    /// Returns a text that is written unchanged. The view must outlive the document.
     Doc plain_text(std::string_view text);
-    /// A comment: written as a text, but the text before it does not reserve columns for it.
+    /// Returns a comment. It is written as a text, but groups before it fit on their line even if the comment exceeds
+    /// the limit.
     Doc comment_text(std::string_view text);
-    /// A line comment `// …`. A group that contains it never fits on one line.
+    /// Returns a line comment `// …`. A group that contains it never fits on one line.
     Doc line_comment(std::string_view text);
     [[nodiscard]] Doc blank() const { return blank_; }
     [[nodiscard]] Doc line() const { return line_; }              ///< a blank or a line end
@@ -53,7 +54,7 @@ private:
     struct Node {
         Kind kind = Kind::text;
         bool breaks = false;      ///< contains a possible line break
-        std::uint16_t flat = 0;   ///< columns on one line; `endless` if it cannot be one line
+        std::uint16_t flat = 0;   ///< columns on one line; `endless` if the node needs several lines
         std::uint16_t lead = 0;   ///< columns before the first possible line break
         std::uint16_t limit = 0;  ///< the last column that a group may use on one line
         Doc a = 0;
@@ -72,7 +73,7 @@ private:
     std::size_t constant_ = 0;
 };
 
-/// Writes documents one after another.
+/// Writes documents one after the other.
 class Printer {
 public:
     Printer(const Document& document, std::string_view line_end) : document_(document), line_end_(line_end) {}

@@ -10,8 +10,8 @@ Doc ExpressionLayout::format_expression(Gap gap) {
     return format_operand(gap, 0);
 }
 
-/// The level of the operator at the current token, including `as` and `is`, whose right side is a type; -1 if there is
-/// no operator.
+/// Returns the level of the operator at the current token, or -1 if there is none. `as` and `is`, whose right sides are
+/// types, are operators here.
 int ExpressionLayout::operator_level() const {
     if (probabilistic_ && at_word("Until")) return not_level;
     if (at("as") || at("is")) return cast_level;
@@ -26,7 +26,7 @@ Doc ExpressionLayout::format_operand(Gap gap, int level) {
     return doc_.cat(before, result);
 }
 
-/// `a + b - c`: all operators of one level form one group.
+/// Formats `a + b - c`. All operators of one level form one group.
 Doc ExpressionLayout::format_chain(Doc left, int level) {
     Doc rest = 0;
     while (operator_level() == level) rest = doc_.cat(rest, format_infix(level));
@@ -53,7 +53,7 @@ Doc ExpressionLayout::format_prefix(int level) {
     return level == value_level ? format_postfix() : format_negation();
 }
 
-/// `forall v : T | p @ e`, `let x == e @ e`
+/// Formats `forall v : T | p @ e` or `let x == e @ e`.
 Doc ExpressionLayout::format_binder(int level) {
     Doc head = format_token(Gap::done);
     head = doc_.cat(head, format_bindings(Gap::blank));
@@ -62,7 +62,7 @@ Doc ExpressionLayout::format_binder(int level) {
     return doc_.group(cat({head, at_sign, doc_.nest_indented(format_operand(Gap::line, level))}));
 }
 
-/// `v : T, w : T | p`, `x == e, y == e`
+/// Formats `v : T, w : T | p` or `x == e, y == e`.
 Doc ExpressionLayout::format_bindings(Gap gap) {
     Doc result = format_binding(gap);
     while (at(",")) result = cat({result, format_token(Gap::none), format_binding(Gap::blank)});
@@ -80,7 +80,8 @@ Doc ExpressionLayout::format_negation() {
     return doc_.cat(result, format_postfix());
 }
 
-/// In assertion files, `.` ends the assertion unless a field name follows it directly.
+/// True if arguments, an index or a field follow. In assertion files, `.` ends the assertion unless a field name
+/// follows it directly.
 bool ExpressionLayout::at_step() const {
     if (at("(")) return !peek().first_on_line;
     return at("[") || (at(".") && (!is_assertions_ || peek(1).span.begin == peek().span.end));
@@ -113,7 +114,7 @@ Doc ExpressionLayout::format_atom() {
     return at("(|") ? doc_.cat(name, format_list(Gap::none, &ExpressionLayout::format_field)) : name;
 }
 
-/// `$n`, `$e?v`, `$e?$x : p`
+/// Formats `$n`, `$e?v` or `$e?$x : p`.
 Doc ExpressionLayout::format_register() {
     Doc result = format_token(Gap::done);
     result = doc_.cat(result, format_names(Gap::none));
@@ -139,19 +140,20 @@ Doc ExpressionLayout::format_registers(Gap gap) {
     return doc_.cat(before, doc_.group(cat({head, doc_.nest_indented(body), close, advance()}), body_limit));
 }
 
-/// `uses I`, `requires I`, `event e : T`
+/// Formats `uses I`, `requires I` or `event e : T`.
 Doc ExpressionLayout::register_member(Gap gap) {
     const bool event = at("event");
     const Doc word = format_token(gap);
     return doc_.cat(word, event ? format_typed(Gap::blank) : format_names(Gap::blank));
 }
 
-/// `>` closes the sequence `< … >`, so only operators from the level of `+` on are read in its elements.
+/// Formats an element of `< … >`. Because `>` closes the sequence, an element contains only operators that bind at
+/// least as tightly as `+`.
 Doc ExpressionLayout::sequence_element(Gap gap) {
     return format_operand(gap, plus_level);
 }
 
-/// `<{a}, …>`: the opening brackets of a sequence that begins with a set are one token.
+/// Formats `<{a}, …>`. The opening brackets of a sequence that begins with a set are one token.
 Doc ExpressionLayout::sequence_with_set() {
     const Doc open = advance();
     Doc first = doc_.group(doc_.cat(open, format_elements(Gap::soft, &ExpressionLayout::set_element)));
@@ -160,7 +162,7 @@ Doc ExpressionLayout::sequence_with_set() {
     return doc_.group(cat({first, comma, format_elements(Gap::line, &ExpressionLayout::sequence_element)}));
 }
 
-/// An element of a set, or the whole content of `{a to b}` and `{v : T | p @ e}`.
+/// Formats an element of a set, or the whole content of `{a to b}` and `{v : T | p @ e}`.
 Doc ExpressionLayout::set_element(Gap gap) {
     if (!at_name() || !peek(1).is_word(":")) {
         const Doc element = format_expression(gap);
@@ -173,7 +175,7 @@ Doc ExpressionLayout::set_element(Gap gap) {
     return at("@") ? cat({result, format_token(Gap::blank), format_expression(Gap::blank)}) : result;
 }
 
-/// `f = e` of a record.
+/// Formats `f = e` of a record.
 Doc ExpressionLayout::format_field(Gap gap) {
     const Doc head = format_words(gap, 2);
     return doc_.cat(head, format_expression(Gap::blank));
@@ -198,7 +200,7 @@ Doc ExpressionLayout::format_list(Gap gap, Part element) {
     return group(before, doc_.cat(open, format_elements(Gap::soft, element)));
 }
 
-/// The elements of a list and the closing bracket. The caller makes the group.
+/// Formats the elements of a list and the closing bracket. The caller makes the group.
 Doc ExpressionLayout::format_elements(Gap first, Part element) {
     Doc inner = 0;
     for (Gap gap = first; !at_closing(); gap = Gap::line) {
@@ -216,7 +218,7 @@ Doc ExpressionLayout::format_typed(Gap gap) {
     return at(":") ? cat({name, format_token(Gap::blank), format_type(Gap::blank)}) : name;
 }
 
-/// An operator between types is written with a blank on both sides.
+/// Formats a type. An operator between types is written with a blank on both sides.
 Doc ExpressionLayout::format_type(Gap gap) {
     const Doc before = this->format_gap(gap);
     Doc result = atomic_type(Gap::done);
@@ -232,7 +234,7 @@ Doc ExpressionLayout::atomic_type(Gap gap) {
     return doc_.cat(word, format_list(Gap::none, &ExpressionLayout::type_or_size));
 }
 
-/// An argument of `vector` or `matrix`. The first argument is a type; the others are sizes.
+/// Formats an argument of `vector` or `matrix`. The first argument is a type, and the others are sizes.
 Doc ExpressionLayout::type_or_size(Gap gap) {
     return gap == Gap::soft ? format_type(gap) : format_expression(gap);
 }

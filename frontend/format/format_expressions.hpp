@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of expressions, types and lists, which models and assertion files share (private to the formatter).
+// Formats expressions, types and lists, which occur in models and in assertion files (private to the formatter).
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace robochart::frontend {
 
-/// Holds the kind of file that the expressions are in.
+/// Formats expressions. The object stores the kind of the file that contains them.
 class ExpressionLayout : public WordLayout {
 protected:
     using Part = Doc (ExpressionLayout::*)(Gap);
@@ -18,24 +18,24 @@ protected:
         : WordLayout(text, stream), is_assertions_(is_assertions) {}
     ~ExpressionLayout() = default;
 
-    /// After `!` and `.`: above the levels of all operators, so no operator is read.
+    /// The level for values after `!` and `.`. It is above the levels of all operators, so no operator is read.
     static constexpr int value_level = concat_level + 2;
     Doc format_expression(Gap gap);
-    /// Operators that bind at least as tightly as `level`, and their operands.
+    /// Formats operators that bind at least as tightly as `level`, and their operands.
     Doc format_operand(Gap gap, int level);
-    /// `if c then a else b end`, as a statement or an expression.
+    /// Formats `if c then a else b end`, a statement or an expression.
     Doc format_conditional(Gap gap, Part branch);
 
-    /// A bracketed list separated by `,` or `;`. It is on one line, or has one element per line.
+    /// Formats a list in brackets, separated by `,` or `;`. It is written on one line, or with one element per line.
     Doc format_list(Gap gap, Part element);
-    /// `a : T`
+    /// Formats `a : T`.
     Doc format_typed(Gap gap);
     Doc format_type(Gap gap);
-    /// `cycleDef e` of RoboSim
+    /// Formats `cycleDef e` of RoboSim.
     Doc format_cycle(Gap gap);
-    /// `input context { uses I event e : T }` of RoboSim, on one line if it fits.
+    /// Formats `input context { uses I event e : T }` of RoboSim, on one line if it fits.
     Doc format_registers(Gap gap);
-    /// `(p : @x = e)`
+    /// Formats `(p : @x = e)`.
     Doc format_update(Gap gap);
 
     bool probabilistic_ = false;  ///< true in a probabilistic assertion, in which expressions have more forms

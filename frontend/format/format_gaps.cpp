@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // See format_gaps.hpp. Writes the text between two tokens: a gap, and the comments in it. A comment after a token stays
-// on the token's line. A comment at the beginning of a line is again at the beginning of a line, indented as the next
-// token.
+// on the token's line. A comment at the beginning of a line stays at the beginning of a line, with the indentation of
+// the next token.
 #include <algorithm>
 #include <array>
 
@@ -78,7 +78,7 @@ Doc WordLayout::format_gap(Gap gap) {
     return doc_.cat(format_trailing(found, count), own_lines(gap, found, count));
 }
 
-/// `a /* c */ b`: a comment belongs to the token after it.
+/// Formats `a /* c */ b`. A comment within a line belongs to the token after it.
 Doc WordLayout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
     constexpr std::array<std::string_view, 7> openers = {"(", "[", "{", "(|", "[|", "Set(", "Seq("};
     constexpr std::array<std::string_view, 9> closers = {")", "]", "}", "|)", "|]", ",", ";", ".", "::"};
@@ -91,14 +91,14 @@ Doc WordLayout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
     return is_among(peek().text, closers) ? result : doc_.cat(result, doc_.blank());
 }
 
-/// Lays out comments that stay on the line of the token before them.
+/// Formats comments that stay on the line of the token before them.
 Doc WordLayout::format_trailing(const std::vector<Piece>& pieces, std::size_t count) {
     Doc result = 0;
     for (std::size_t i = 0; i < count; ++i) result = cat({result, doc_.blank(), format_comment(pieces[i])});
     return result;
 }
 
-/// Lays out the comments from the first one that begins a line up to the next token.
+/// Formats the comments from the first one that begins a line up to the next token.
 Doc WordLayout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t trailing) {
     const Piece& head = pieces[trailing];
     const bool forced = !head.is_token || (trailing > 0 && pieces[trailing - 1].to_line_end);
@@ -114,7 +114,7 @@ Doc WordLayout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t
     return result;
 }
 
-/// The gap between a comment that begins a line and the next piece.
+/// Returns the gap between a comment that begins a line and the next piece.
 Doc WordLayout::gap_after_comment(Gap gap, const Piece& before, const Piece& piece) {
     if (!before.to_line_end && piece.lines == 0) return doc_.blank();
     return keeps_empty_lines(gap) && piece.lines > 1 ? doc_.empty_line() : doc_.hard();
@@ -141,15 +141,16 @@ Doc WordLayout::closing_comments() {
 
 // ---------------------------------------------------------------- the text of a comment
 
-/// A line of a block comment after its first line. If `moved` is true, it is indented with the first line; otherwise it
-/// is unchanged.
+/// Formats a line of a block comment after its first line. If `moved` is true, the line is indented with the first
+/// line. Otherwise it is unchanged.
 Doc WordLayout::comment_line(std::string_view line, std::size_t margin, bool moved) {
     if (!moved) return doc_.cat(doc_.raw(), doc_.comment_text(line));
     line.remove_prefix(std::min(line.size(), margin));
     return doc_.cat(doc_.hard(), doc_.comment_text(line));
 }
 
-/// The lines of a block comment are indented with its first line if they were indented at least as far.
+/// Formats a comment. The other lines of a block comment move with its first line if they were indented at least as
+/// far.
 Doc WordLayout::format_comment(const Piece& piece) {
     std::string_view rest = source_text(piece.span);
     const std::string_view first = take_line(rest);

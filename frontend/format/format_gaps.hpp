@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens and the gaps between them (private to the formatter). Every token is written when it is read, so no token is
-// lost even if the formatter misreads the text.
+// Formats tokens and the gaps between them (private to the formatter). Every token is written when it is read, so no
+// token is lost even if the formatter misreads the text.
 //
-// Functions are named after the construct that they lay out. Their first parameter is the gap before it.
+// The name of a function is the construct that the function formats. Its comment shows an example of the construct, and
+// its first parameter is the gap before the construct.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ namespace robochart::frontend {
 
 /// The text between two tokens.
 enum class Gap : std::uint8_t {
-    done,    ///< already written
+    done,    ///< the gap has been written already
     none,    ///< no text
     blank,   ///< a blank
     soft,    ///< no text, or a line end if the group breaks
@@ -30,40 +31,41 @@ enum class Gap : std::uint8_t {
     start,   ///< the beginning of the text
 };
 
-/// Owns the document; lays out one token after another.
+/// Owns the document and formats one token after the other.
 class WordLayout : protected TokenReader {
 public:
     WordLayout(const WordLayout&) = delete;
     WordLayout& operator=(const WordLayout&) = delete;
 
-    /// The whole text in the standard layout.
+    /// Returns the whole text in the standard layout.
     [[nodiscard]] std::string run(std::string_view line_end);
 
 protected:
     using TokenReader::TokenReader;
     ~WordLayout() = default;
 
-    /// Lays out one member of the file.
+    /// Formats one member of the file.
     virtual Doc format_member(Gap gap) = 0;
 
     Doc format_token(Gap gap);
-    /// The next token as it is written, without a gap.
+    /// Returns the next token as it is written, without a gap.
     Doc advance() { return doc_.plain_text(take_token()); }
-    /// `count` tokens with blanks between them.
+    /// Formats `count` tokens with blanks between them.
     Doc format_words(Gap gap, std::size_t count);
-    /// `A::B::C`
+    /// Formats `A::B::C`.
     Doc format_names(Gap gap);
-    /// A keyword and a name.
+    /// Formats a keyword and a name.
     Doc format_phrase(Gap gap);
-    /// `import P::*`
+    /// Formats `import P::*`.
     Doc format_import(Gap gap);
     Doc format_gap(Gap gap);
-    /// The comments before a closing brace or the end of the text, with the indentation of the body that ends there.
+    /// Formats the comments before a closing brace or the end of the text, with the indentation of the body that ends
+    /// there.
     Doc closing_comments();
 
     Doc cat(Doc a, Doc b) { return doc_.cat(a, b); }
     Doc cat(std::initializer_list<Doc> docs) { return doc_.cat(docs); }
-    /// A group that is preceded by a gap.
+    /// Returns a group that is preceded by a gap.
     Doc group(Doc gap, Doc inner) { return doc_.cat(gap, doc_.group(inner)); }
 
     Document doc_;

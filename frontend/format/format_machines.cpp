@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formats states, actions and transitions. A short body is written on the line of its head; a longer body has one part
+// Formats states, actions and transitions. A short body is written on the line of its head. A longer body has one part
 // per line.
 #include "frontend/format/format_model.hpp"
 
 namespace robochart::frontend {
 
-/// `state S { entry e }`; if a state has several parts, it has one part per line.
+/// Formats `state S { entry e }`. A state with several parts is written with one part per line.
 Doc ModelLayout::format_state(Gap gap) {
     const Doc before = this->format_gap(gap);
     const Doc head = format_words(Gap::done, 2);
@@ -19,7 +19,7 @@ Doc ModelLayout::format_action(Gap gap) {
     return doc_.cat(word, action_body());
 }
 
-/// A statement, on the line of its keyword or indented below it.
+/// Formats a statement, on the line of its keyword or indented below it.
 Doc ModelLayout::action_body() {
     return doc_.group(doc_.nest_indented(format_sequence(Gap::line)));
 }
@@ -31,8 +31,8 @@ Doc ModelLayout::format_transition(Gap gap) {
     return doc_.cat(before, doc_.group(doc_.cat(head, body), body_limit));
 }
 
-/// A transition: `from A to B`, and then one clause per line. Resets and a deadline are on the line of the clause
-/// before them.
+/// Formats a transition: `from A to B`, and then one clause per line. Resets and a deadline are on the line of the
+/// clause before them.
 Doc ModelLayout::format_clauses(Gap gap) {
     Doc result = format_phrase(gap);
     if (at("to")) result = doc_.cat(result, format_phrase(Gap::blank));
@@ -58,7 +58,7 @@ Doc ModelLayout::format_clause(Gap gap, bool trigger_before) {
     return at_name() ? doc_.cat(word, format_communication(Gap::blank)) : word;
 }
 
-/// `<{ e }`
+/// Formats `<{ e }`.
 Doc ModelLayout::format_deadline(Gap gap) {
     const Doc open = format_token(gap);
     const Doc limit = format_expression(Gap::blank);

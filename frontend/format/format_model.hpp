@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of model files: declarations, machines, statements (private to the formatter). The formatter reads the
-// tokens of a text in which the parser has found no errors. If the formatter did not know a construct, its layout would
-// be bad, but no text would be lost.
+// Formats model files: declarations, machines, statements (private to the formatter). The formatter reads the tokens of
+// a text in which the parser has found no errors. A construct that the formatter does not know gets a bad layout, but
+// no text is lost.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace robochart::frontend {
 
-/// Holds the kind of the last member, which determines whether an empty line follows.
+/// Formats a model file. The object stores the kind of the last member, which determines whether an empty line follows.
 class ModelLayout final : public ExpressionLayout {
 public:
     ModelLayout(std::string_view text, const TokenStream& stream) : ExpressionLayout(text, stream, false) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilistic assertions: each property, constant, reward, function and command is written on one line, or on several
-// indented lines if it is too long.
+// Formats probabilistic assertions. Each property, constant, reward, function and command is written on one line, or on
+// several indented lines if it is too long.
 #include <algorithm>
 #include <array>
 
@@ -29,7 +29,7 @@ Doc AssertionLayout::probabilistic_part(Gap gap) {
     return result;
 }
 
-/// `prob property P : e with …`
+/// Formats `prob property P : e with …`.
 Doc AssertionLayout::probabilistic_assertion(Gap gap) {
     const Doc before = this->format_gap(gap);
     const bool path = at_word("generate", 1);
@@ -38,7 +38,7 @@ Doc AssertionLayout::probabilistic_assertion(Gap gap) {
     return group(before, doc_.cat(head, doc_.nest_indented(doc_.cat(body, format_clauses()))));
 }
 
-/// `using simulation for n steps up to m steps`
+/// Formats `using simulation for n steps up to m steps`.
 Doc AssertionLayout::format_generation() {
     Doc result = format_words(Gap::line, 3);
     const auto counted = [&] {
@@ -53,7 +53,7 @@ Doc AssertionLayout::format_generation() {
     return at_word("up") ? cat({result, format_words(Gap::blank, 2), counted()}) : result;
 }
 
-/// `with constants C`, `with cmdoptions "…"`
+/// Formats `with constants C` or `with cmdoptions "…"`.
 Doc AssertionLayout::format_clauses() {
     Doc result = 0;
     while (at_word("with")) result = cat({result, format_words(Gap::line, 2), written_clause()});
@@ -86,7 +86,7 @@ Doc AssertionLayout::format_definition(Gap gap) {
 
 // ---------------------------------------------------------------- definitions
 
-/// `q set to e, …, and t from set {…}`: all on one line, or one per line.
+/// Formats `q set to e, …, and t from set {…}`, with all constants on one line, or one per line.
 Doc AssertionLayout::format_constants(Gap first) {
     Doc result = constant_values(first);
     while (at(",") || at_word("and")) {
@@ -110,7 +110,7 @@ Doc AssertionLayout::format_rewards() {
     return doc_.cat(items, format_token(Gap::first));
 }
 
-/// `[event] g : v;`
+/// Formats `[event] g : v;`.
 Doc AssertionLayout::reward_item(Gap gap) {
     const Doc before = this->format_gap(gap);
     const bool labelled = at("[");
@@ -126,7 +126,7 @@ Doc AssertionLayout::format_functions() {
     return doc_.nest_indented(result);
 }
 
-/// `pfunction f(x) = { return e }`
+/// Formats `pfunction f(x) = { return e }`.
 Doc AssertionLayout::format_function(Gap gap) {
     const Doc before = this->format_gap(gap);
     const bool returns = at_word("pfunction");
@@ -143,7 +143,7 @@ Doc AssertionLayout::format_modules() {
     return doc_.nest_indented(result);
 }
 
-/// `pmodule N { … }`, with one member per line.
+/// Formats `pmodule N { … }`, with one member per line.
 Doc AssertionLayout::format_module(Gap gap) {
     const Doc head = format_words(gap, 3);
     Doc members = 0;
@@ -153,7 +153,7 @@ Doc AssertionLayout::format_module(Gap gap) {
     return cat({head, members, doc_.hard(), advance()});
 }
 
-/// `x : [a to b] init e;`, `[event] g -> u & v;`
+/// Formats `x : [a to b] init e;` or `[event] g -> u & v;`.
 Doc AssertionLayout::module_member(Gap gap) {
     const Doc before = this->format_gap(gap);
     Doc result = 0;
@@ -204,7 +204,7 @@ Doc ExpressionLayout::probabilistic_form() {
     return doc_.cat(word, format_list(Gap::blank, &ExpressionLayout::format_expression));
 }
 
-/// `Finally <=10 φ`
+/// Formats `Finally <=10 φ`.
 Doc ExpressionLayout::path_prefix() {
     Doc word = format_words(Gap::done, at_word("Weak") ? 2 : 1);
     word = doc_.cat(word, step_bound());
@@ -220,7 +220,7 @@ Doc ExpressionLayout::step_bound() {
     return cat({relation, before, format_atom()});
 }
 
-/// `Prob=? of [φ] using sim …`, `Reward {r} >= 1 of [ρ]`
+/// Formats `Prob=? of [φ] using sim …` or `Reward {r} >= 1 of [ρ]`.
 Doc ExpressionLayout::format_quantitative() {
     const bool reward = at_word("Reward");
     Doc result = format_token(Gap::done);
@@ -246,7 +246,7 @@ Doc ExpressionLayout::reward_path(Gap gap) {
     return total ? word : doc_.cat(word, format_expression(Gap::blank));
 }
 
-/// `using sim with CI at alpha=0.05, n=1000, and pathlen=1000`
+/// Formats `using sim with CI at alpha=0.05, n=1000, and pathlen=1000`.
 Doc ExpressionLayout::format_simulation() {
     Doc result = format_words(Gap::line, 5);
     result = doc_.cat(result, format_assigned(Gap::blank));
@@ -258,7 +258,7 @@ Doc ExpressionLayout::format_simulation() {
     return result;
 }
 
-/// `n=1000` of a simulation.
+/// Formats `n=1000` of a simulation.
 Doc ExpressionLayout::format_assigned(Gap gap) {
     const Doc name = format_token(gap);
     const Doc equals = format_token(Gap::none);
@@ -280,7 +280,7 @@ Doc ExpressionLayout::format_update(Gap gap) {
     return cat({before, result, format_expression(Gap::blank)});
 }
 
-/// `M is in S`, `a::e.in.val`
+/// Formats `M is in S` or `a::e.in.val`.
 Doc ExpressionLayout::behind_name(Doc name) {
     if (at("is") && peek(1).is_word("in")) {
         const Doc relation = format_words(Gap::blank, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements and communications.
+// Formats statements and communications.
 #include "frontend/format/format_model.hpp"
 
 namespace robochart::frontend {
@@ -9,7 +9,7 @@ Doc ModelLayout::format_statement(Gap gap) {
     return group(before, format_sequence(Gap::done));
 }
 
-/// `S; S`: on one line, or one statement per line. The caller makes the group.
+/// Formats `S; S`, on one line or with one statement per line. The caller makes the group.
 Doc ModelLayout::format_sequence(Gap gap) {
     Doc result = timed_statement(gap);
     while (at(";")) result = cat({result, format_token(Gap::none), timed_statement(Gap::line)});
@@ -35,8 +35,7 @@ Doc ModelLayout::basic_statement(Gap gap) {
     return format_communication(gap);
 }
 
-/// A name with everything that may follow it in a statement or trigger: `e?x`, `e!v`, `e.v`, `e[| p |]?x`, `op(a)`,
-/// `v[i] = e`.
+/// Formats a name and its suffix in a statement or trigger: `e?x`, `e!v`, `e.v`, `e[| p |]?x`, `op(a)`, `v[i] = e`.
 Doc ModelLayout::format_communication(Gap gap) {
     Doc result = format_names(gap);
     for (;;) {
@@ -54,7 +53,7 @@ Doc ModelLayout::format_communication(Gap gap) {
     return at("=") ? cat({result, format_token(Gap::blank), format_expression(Gap::blank)}) : result;
 }
 
-/// `[| x = from | p |]`
+/// Formats `[| x = from | p |]`.
 Doc ModelLayout::format_predicate() {
     Doc result = format_token(Gap::none);
     Gap gap = Gap::none;

@@ -87,7 +87,7 @@ std::string_view TokenReader::source_text(diagnostics::Span span) const {
     return text_.substr(span.begin, span.end - span.begin);
 }
 
-/// The number of line ends between two offsets, at most 2.
+/// Returns the number of line ends between two offsets, at most 2.
 std::size_t TokenReader::line_ends(std::size_t begin, std::size_t end) const {
     std::size_t count = 0;
     for (std::size_t at = begin; at < end && count < 2; ++at) {

@@ -32,7 +32,7 @@ WrittenBy variables_written_by_operations(const Model& model) {
 
 namespace {
 
-/// Warnings that need only one component of a file.
+/// Reports the warnings that need only one component of a file.
 class Linter {
 public:
     Linter(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out)
@@ -51,7 +51,8 @@ private:
     void lint_machine(const Machine& machine) {
         Never never;
         if (machine.dialect == Dialect::robosim) {
-            // The other warnings reason about triggers and about the order of steps, which registers change.
+            // The other warnings depend on triggers and on the order of steps, which are different in models with
+            // registers.
             lint_reachability(machine, never, out_);
             lint_statements(machine, out_);
             lint_cycles(machine, out_);
@@ -81,7 +82,7 @@ private:
     Diagnostics& out_;
 };
 
-/// Warnings that need a component and the declarations that it refers to.
+/// Reports the warnings that need a component and the declarations that it refers to.
 void lint_component(const Component& component, ReportedCalls& reported, Diagnostics& out) {
     for (const auto& part : component.controllers) lint_component(*part, reported, out);
     lint_events(component, out);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lints arithmetic whose result may be outside of its type: a divisor that can be 0, and a difference cast to nat that
-// can be negative. The analysis uses the guard of the transition, the conditions of enclosing `if`s and boolean
-// operators, and preconditions. A fact is dropped when a variable in it is assigned. RoboTool's arithmetic does not
-// fail in these cases (semantics 3.13): it silently continues with another value.
+// Reports divisors that can be 0, and differences that are cast to nat although they can be negative. The analysis uses
+// the guard of the transition, the conditions of enclosing `if`s and boolean operators, and preconditions. A fact is
+// dropped when a variable in it is assigned. RoboTool's arithmetic does not fail in these cases (semantics 3.13): it
+// silently continues with another value.
 #include <fmt/format.h>
 
 #include "frontend/lint/lint_logic.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slips that public RoboSim models have: a store under `not`, and a state from which no `exec` is reached. Only `exec`
-// ends a cycle, so time stops in such a state.
+// Reports two mistakes that occur in published RoboSim models: a store under `not`, and a state from which no `exec` is
+// reached. Only `exec` ends a cycle, so time stops in such a state.
 #include <algorithm>
 
 #include "frontend/lint/lints.hpp"
@@ -20,7 +20,7 @@ void check_stores(const Expr& expr, bool negated, Diagnostics& out) {
     for_children(expr, [&](const Expr& child) { check_stores(child, inside, out); });
 }
 
-/// True if the statement may end the cycle. Any operation that it calls may do so.
+/// True if the statement may end the cycle. A call may always end it.
 bool may_end_cycle(const Stmt& statement) {
     bool found = false;
     walk_tree(statement, [&](const Stmt& part) {
@@ -33,7 +33,7 @@ bool may_end_cycle(const Transition& transition) {
     return transition.exec || (transition.action && may_end_cycle(*transition.action));
 }
 
-/// True if the actions of the state or something inside it may end the cycle.
+/// True if an action of the state, or of a state or transition inside it, may end the cycle.
 bool may_end_cycle(const State& state) {
     const auto acts = [](const Action& action) { return action.statement && may_end_cycle(*action.statement); };
     return std::ranges::any_of(state.actions, acts) ||
@@ -41,8 +41,8 @@ bool may_end_cycle(const State& state) {
            std::ranges::any_of(state.transitions, [](const auto& transition) { return may_end_cycle(*transition); });
 }
 
-/// True if a cycle can end on some path from a node, over the transitions of its container. A final node ends the
-/// machine, which then ends its cycles, or returns from the operation.
+/// True if the cycle can end on some path from the node along the transitions of its container. A final node counts as
+/// an end: the machine terminates, or the operation returns.
 bool reaches_end(const Graph& graph, const State& start) {
     std::unordered_set<const State*> seen{&start};
     std::vector<const State*> open{&start};

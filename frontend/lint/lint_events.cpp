@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events that are not connected beyond their component (semantics 3.9). An event without a connection is hidden: its
-// triggers fire spontaneously and its outputs never wait. An event connected to a component that never takes part in it
-// can never happen.
+// Reports events that are not connected outside of their component (semantics 3.9). An event without a connection is
+// hidden: its triggers fire spontaneously and its outputs never wait. An event that is connected to a component that
+// never uses it can never happen.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ private:
     std::map<std::string_view, Span> first_;
 };
 
-/// The connected events of each component and of the container itself.
+/// The events that connections join, for each component and for the container itself.
 class Connected {
 public:
     explicit Connected(const Component& component) {
@@ -86,7 +86,7 @@ private:
     std::unordered_map<const Declaration*, std::map<std::string, const Connection::End*>> ends_;
 };
 
-/// The first trigger of the machine with this event.
+/// Returns the first trigger of the machine with this event.
 std::optional<Span> trigger_of(const Machine& machine, const std::string& event) {
     std::optional<Span> result;
     for_transitions(machine, [&](const Transition& transition) {
@@ -96,13 +96,13 @@ std::optional<Span> trigger_of(const Machine& machine, const std::string& event)
     return result;
 }
 
-/// A machine of a controller that awaits an event.
+/// A machine of a controller, and the trigger with which it awaits an event.
 struct Awaiting {
     const Declaration* part = nullptr;
     Span trigger;
 };
 
-/// The first machine that awaits an event with this name, which the controller does not connect.
+/// Returns the first machine that awaits an event with this name and whose event has no connection in the controller.
 std::optional<Awaiting> awaiting_alone(const Component& controller, const std::string& event, const Connected& inside) {
     for (const Declaration* part : controller.order) {
         const auto* machine = follow_to<Machine>(part);
@@ -113,7 +113,7 @@ std::optional<Awaiting> awaiting_alone(const Component& controller, const std::s
     return std::nullopt;
 }
 
-/// The machine that awaits an event that comes from this event of the controller.
+/// Returns the machine that awaits the event that a connection leads to from this event of the controller.
 std::optional<Awaiting> awaiting_inside(const Component& controller, const std::string& event) {
     for (const auto& connection : controller.connections) {
         if (connection->from.node_target != &controller || connection->from.event.parts.back() != event) continue;
@@ -132,7 +132,7 @@ bool is_target(const Component& container, const Declaration& part, const std::s
     });
 }
 
-/// The platform of the module if it declares the event and no connection has it.
+/// Returns the platform of the module if it declares the event but has no connection for it.
 const Declaration* idle_platform(const Component& module, const Connected& outside, const std::string& event) {
     for (const Declaration* part : module.order) {
         const auto* platform = follow_to<Context>(part);
@@ -149,7 +149,7 @@ std::string describe_part(const Declaration& part, const Declaration& behind, st
     return fmt::format("`{}` ({} `{}`)", part.name, kind, behind.name);
 }
 
-/// An event without a connection, and the place where the machine uses it.
+/// An event without a connection, and the place at which a machine uses the event.
 struct Loose {
     const Event* event = nullptr;
     Span use;
@@ -200,8 +200,8 @@ void check_controller_events(const Component& controller, Diagnostics& out) {
     }
 }
 
-/// Reports an event that somebody raises in the module, and that a machine awaits, if a connection between them is
-/// missing. Returns false if there is no such event.
+/// Reports a missing connection: another component of the module raises the event, and a machine awaits it. Returns
+/// false if no connection is missing.
 bool report_missing_link(const Component& module, const Declaration& part, const Component& controller,
                          const Event& event, const Connected& outside, const Connected& inside, Diagnostics& out) {
     const std::string& name = event.name;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variables that are read before they are set (semantics 3.6: until then they hold a default; a boolean holds `true`).
-// This is a forward analysis of the variables that are certainly set. It follows the order of semantics 3.4: trigger
-// value, guard, exit actions from inside out, action, entry actions from outside in. A during action may be interrupted
-// at any point, so it does not certainly set a variable. A transition leaves a composite state from any settled node
-// inside.
+// Reports variables that are read before they are set (semantics 3.6: until then they have a default value, `true` for
+// a boolean). A forward analysis computes the variables that are certainly set. It follows the order of semantics 3.4:
+// trigger value, guard, exit actions from inside out, action, entry actions from outside in. A during action may be
+// interrupted at any point, so it does not certainly set a variable. A transition of a composite state may be taken in
+// any settled node inside the state.
 #include <cstdint>
 #include <deque>
 
@@ -17,7 +17,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// A set of variables of the machine. It starts full, because no path to the node is known yet.
+/// A set of variables of the machine. Initially it contains all variables, because no path to the node is known yet.
 class Bits {
 public:
     explicit Bits(std::size_t size = 0, bool full = false) : words_((size + 63) / 64, full ? ~std::uint64_t{0} : 0) {}
@@ -26,7 +26,7 @@ public:
     void unite(const Bits& other) {
         for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     }
-    /// Returns true if an element was removed.
+    /// Removes the elements that are not in `other`. Returns true if an element was removed.
     bool intersect(const Bits& other) {
         bool changed = false;
         for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -107,7 +107,7 @@ private:
         bool queued = false, reached = false, passed = false;
     };
 
-    /// The variables that are certainly set before the actions of this kind.
+    /// Returns the variables that are certainly set before the actions of this kind.
     static const Bits& set_before(const Point& point, ActionKind kind) {
         switch (kind) {
             case ActionKind::entry:
@@ -166,8 +166,8 @@ private:
         if (!composite) propagate_settled(node, entered, entered);
     }
 
-    /// Records that the node can be settled, and then left, with at least these variables set. The effect is propagated
-    /// to enclosing states.
+    /// Records that the node can be settled with the variables in `settled` set, and can be left with those in
+    /// `inner_leave` set. The enclosing states are updated too.
     void propagate_settled(const State& node, const Bits& settled, const Bits& inner_leave) {
         const State* at = &node;
         Bits now = settled;
@@ -216,8 +216,8 @@ private:
             if (found->second.contains(variable->name)) mark_set(variable, now);
     }
 
-    /// Adds the variables that a statement certainly sets to `now`. With `reading`, also reports variables that it
-    /// reads too early.
+    /// Adds to `now` the variables that the statement certainly sets. If `reading` is true, also reports the variables
+    /// that it reads before they are set.
     void add_set_variables(const Stmt& statement, Bits& now, bool reading) {
         if (reading)
             for_expressions(statement, [&](const Expr& expr) {
@@ -240,7 +240,7 @@ private:
 
     // ------------------------------------------------------------ reads
 
-    /// `v[i] = e` reads `i`, not `v`.
+    /// Reports early reads in the target of an assignment: `v[i] = e` reads `i`, not `v`.
     void read_index(const Expr& part, const Bits& now) {
         if (part.kind == ExprKind::name && index_.contains(part.target)) return;
         read(part, now);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RC-W21: finds variables that only grow. Every assignment adds to the variable (or subtracts from it, or multiplies
+// Finds variables that only grow (RC-W21). Every assignment adds to the variable (or subtracts from it, or multiplies
 // it). At least one of these assignments can happen repeatedly, and no condition reads the variable, so its growth has
-// no bound. The finite instantiation stops such a variable at its last value; generated code stops it at the end of its
-// type (semantics 3.13). Beyond that value the model and the robot differ.
+// no bound. Such a variable stops at the last value of its carrier in the finite instantiation, and at the last value
+// of its type in generated code (semantics 3.13). Model and robot differ beyond the carrier.
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
@@ -27,14 +27,14 @@ bool is_number(const Variable& variable) {
     return form == TypeForm::nat || form == TypeForm::integer || form == TypeForm::real;
 }
 
-/// The direction of a step: `x + 1` is up, `x - 1` is down, `x * 2` is away from 0.
+/// The direction in which an assignment changes x: `x + 1` is up, `x - 1` is down, `x * 2` is away from 0.
 enum class Direction { up, down, away };
 
 bool reads_variable(const Expr& expr, const Declaration& variable) {
     return strip_parentheses(expr).kind == ExprKind::name && strip_parentheses(expr).target == &variable;
 }
 
-/// The direction of `x = value`; no value if it is not a step or can go both ways.
+/// Returns the direction of `x = value`, or no value if it is not a step or can go both ways.
 std::optional<Direction> direction_of(const Expr& value, const Declaration& variable) {
     const Expr& sum = strip_parentheses(value);
     if (sum.kind != ExprKind::binary) return std::nullopt;
@@ -51,13 +51,14 @@ std::optional<Direction> direction_of(const Expr& value, const Declaration& vari
 
 /// The analysis of one variable of the machine.
 struct Growth {
-    bool bounded = false;                ///< a condition reads the variable, or something other than a step writes it
-    bool read = false;                   ///< the variable is read by something other than its own steps
+    bool bounded = false;                ///< a condition reads the variable, or an assignment in another form writes it
+    bool read = false;                   ///< something other than its own steps reads the variable
     std::optional<Direction> direction;  ///< the common direction of its steps
     const Stmt* again = nullptr;         ///< the first step that can happen repeatedly
 };
 
-/// The cycles of the transitions of one container: its strongly connected components.
+/// The strongly connected components of the transitions of one container. Transitions on cycles are in the same
+/// component.
 class Cycles {
 public:
     explicit Cycles(const NodeContainer& container) {
@@ -90,7 +91,7 @@ private:
 
 class Growing {
 public:
-    /// Variables that a called operation writes are skipped: the operation may reset them.
+    /// Ignores variables that a called operation writes, because the operation may reset them.
     Growing(const Machine& machine, const WrittenBy& written_by) {
         const auto written = [&](const std::string& name) {
             return std::ranges::any_of(written_by, [&](const auto& entry) { return entry.second.contains(name); });
@@ -131,7 +132,7 @@ private:
         });
     }
 
-    /// Notes which variables are read. In an assignment of a variable to itself, a read by its own step does not count.
+    /// Records the variables that an expression reads. A read in an assignment to the same variable is ignored.
     void note_reads(const Expr& expr, const Stmt& statement) {
         const Declaration* const own = statement.target ? assigned_root(*statement.target) : nullptr;
         walk_tree(expr, [&](const Expr& part) {
@@ -171,7 +172,7 @@ private:
 }  // namespace
 
 void lint_growth(const Machine& machine, const WrittenBy& written_by, Diagnostics& out) {
-    if (machine.kind == DeclKind::operation) return;  // the variables of an operation start anew with each call
+    if (machine.kind == DeclKind::operation) return;  // each call resets the variables of an operation
     Growing growing(machine, written_by);
     growing.read_container(machine, false);
     growing.report(machine, out);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that leave no transition enabled (semantics 3.4: a junction without a true guard is stuck), and guards that
-// are never or always true.
+// Reports junctions at which all guards may be false (semantics 3.4: the machine is then stuck), and guards that are
+// never or always true.
 #include <fmt/format.h>
 
 #include "frontend/lint/lint_logic.hpp"
@@ -25,7 +25,8 @@ class GuardReader {
 public:
     GuardReader(const Graph& graph, bool fold) : reasoner_(fold), graph_(graph) {}
 
-    /// The condition under which a transition is enabled. `else` is the negation of the other transitions' conditions.
+    /// Returns the condition under which a transition is enabled. `else` is the negation of the other transitions'
+    /// conditions.
     Formula guard_of(const Transition& transition) {
         if (transition.condition) return reasoner_.read(*transition.condition);
         return transition.otherwise ? logic::negate_formula(some_holds(*transition.source))
@@ -41,7 +42,8 @@ public:
         return logic::any_of(std::move(ways));
     }
 
-    /// The facts known when control reaches a junction: the guards on the path, unless a later action invalidates them.
+    /// Returns the facts that are known when control reaches a junction: the guards on the path to it, except those
+    /// that a later action invalidates.
     Formula known_at(const State& junction, unsigned depth) {
         if (junction.kind != DeclKind::junction || graph_.transitions_into(junction).size() > max_ways)
             return logic::constant_formula(true);

@@ -60,8 +60,8 @@ Linear add_linear(Linear a, const Linear& b) {
     return a;
 }
 
-/// True for names, their fields and their elements, which the reasoner treats as independent values. The values of
-/// calls and of binders are unknown.
+/// True for names, their fields and their elements, which the reasoner treats as variables with any values. The values
+/// of calls and of binders are unknown.
 bool is_plain(const Expr& expr) {
     if (expr.kind == ExprKind::parenthesised || expr.kind == ExprKind::member) return is_plain(*expr.args[0]);
     return expr.kind == ExprKind::name || expr.kind == ExprKind::result || expr.kind == ExprKind::since ||
@@ -72,7 +72,7 @@ std::string text_of(const Expr& expr) {
     return to_text(strip_parentheses(expr));
 }
 
-/// The enumeration literal that an expression names.
+/// Returns the enumeration literal that an expression names.
 const EnumLiteral* literal_of(const Expr& expr) {
     const Expr& bare = strip_parentheses(expr);
     return bare.kind == ExprKind::name ? dynamic_cast<const EnumLiteral*>(bare.target) : nullptr;
@@ -82,7 +82,7 @@ bool is_integral(double value) {
     return std::floor(value) == value;
 }
 
-constexpr unsigned max_depth = 64;  ///< nesting of constants that are defined by constants
+constexpr unsigned max_depth = 64;  ///< limit for chains of constants that are defined by constants
 
 }  // namespace
 
@@ -95,7 +95,7 @@ Formula any_of(std::vector<Formula> parts) {
 
 // ---------------------------------------------------------------- numbers
 
-/// The defining expression of a constant, if constants are folded.
+/// Returns the defining expression of a constant, if constants are folded.
 const Expr* Reasoner::folded_definition(const Expr& expr) const {
     const auto* variable = dynamic_cast<const Variable*>(expr.target);
     const bool known = fold_ && depth_ < max_depth && variable != nullptr && variable->kind == DeclKind::constant;
@@ -144,7 +144,7 @@ std::optional<Linear> Reasoner::read_linear(const Expr& written) {
     return read_term(expr);
 }
 
-/// The formula `difference RELATION 0`, scaled so that the leading coefficient of the key is 1.
+/// Returns the formula `difference RELATION 0`, scaled so that the leading coefficient of the key is 1.
 Formula Reasoner::comparison_with_zero(Linear difference, Relation relation, const std::string& text) {
     if (difference.terms.empty()) {
         const double left = difference.constant;
@@ -273,7 +273,7 @@ Formula Reasoner::read_comparison(const Expr& expr) {
     return found ? std::move(*found) : opaque_atom(to_text(expr), false);
 }
 
-/// The formula a <= value <= b, with < at an open end of the range.
+/// Returns the formula a <= value <= b, with < at an open end of the range.
 Formula Reasoner::range_membership(const Expr& value, const Expr& range, const Expr& whole) {
     const auto relation = [](bool closed) { return closed ? Relation::less_equal : Relation::less; };
     auto above = linear_atom(*range.args[0], value, relation(range.lower_closed), to_text(whole));

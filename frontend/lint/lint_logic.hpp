@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small decision procedure for guards (private to the front end). It handles boolean combinations of linear
-// comparisons of numbers, enumeration literals and boolean terms; any other expression is an unknown boolean. It
-// answers "impossible" only with a proof and "possible" only with a consistent example. Otherwise it answers "unknown",
-// and lints stay silent.
+// Decides whether guards can be true (private to the front end). The procedure handles boolean combinations of linear
+// comparisons of numbers, enumeration literals and boolean terms. Any other expression is an unknown boolean. The
+// procedure answers "impossible" only with a proof and "possible" only with a consistent example. Otherwise it answers
+// "unknown", and the lints report nothing.
 #pragma once
 
 #include <map>
@@ -30,16 +30,16 @@ struct Formula {
 
 enum class Answer { possible, impossible, unknown };
 
-/// The answer whether some values make a formula true, with such values in words: "`x` is 3 and `b` is false".
+/// The answer whether a formula can be true, and an example of values that make it true: "`x` is 3 and `b` is false".
 struct Finding {
     Answer answer = Answer::unknown;
     std::string example;
     /// False if the example depends on unknown terms (calls, quantifiers, …), or on several relations between terms (`t
-    /// >= m`, `t < n`), because the author may know a relation between m and n.
+    /// >= m`, `t < n`): the author may know a relation between m and n.
     bool trusted = true;
 };
 
-/// A linear form coefficient * term + … + constant; terms are identified by their text.
+/// A linear form: the sum of coefficient * term over some terms, plus a constant. Terms are identified by their text.
 struct Linear {
     std::map<std::string, double> terms;
     double constant = 0;
@@ -49,12 +49,12 @@ enum class Relation { less, less_equal, equal };
 
 class Reasoner {
 public:
-    /// With `fold`, constants are replaced by their values. Otherwise a constant may have any value.
+    /// If `fold` is true, constants are replaced by their values. Otherwise a constant may have any value.
     explicit Reasoner(bool fold) : fold_(fold) {}
 
     /// Reads a boolean expression.
     [[nodiscard]] Formula read(const Expr& expr);
-    /// Reads `expr RELATION 0`; an unknown boolean if `expr` is not a number.
+    /// Reads `expr RELATION 0`. The result is an unknown boolean if `expr` is not a number.
     [[nodiscard]] Formula compare_to_zero(const Expr& expr, Relation relation);
     /// Decides the formula within a bounded number of steps.
     [[nodiscard]] Finding decide(const Formula& formula) const;
@@ -62,13 +62,13 @@ public:
 private:
     friend class Search;
 
-    /// The known facts about a term: whether it is an integer, and its least value.
+    /// Known facts about a term: whether it is an integer, and its least value.
     struct Term {
         bool integer = false;
         std::optional<double> least;
     };
     enum class KeyKind { boolean, enumeration, number };
-    /// A key, to which the search assigns a value: a boolean, an enumeration value, or a linear form without its
+    /// Something to which the search assigns a value: a boolean, an enumeration value, or a linear form without its
     /// constant.
     struct Key {
         KeyKind kind = KeyKind::boolean;
@@ -77,7 +77,7 @@ private:
         std::vector<std::string> literals;  ///< enumeration
         std::map<std::string, double> form;
         bool integer = false;
-        std::vector<double> bounds;  ///< the numbers with which it is compared
+        std::vector<double> bounds;  ///< the numbers with which the form is compared
     };
     /// A condition on one key.
     struct Atom {

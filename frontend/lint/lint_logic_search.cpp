@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Searches for values that make a formula true. The comparisons of one linear form divide the number line into points
-// and open intervals. The search assigns each key an interval, a literal or a truth value, and evaluates the formula
-// over the keys assigned so far in Kleene's three-valued logic. If linear forms share terms, Fourier-Motzkin
+// and open intervals. The search assigns to each key a point or interval, a literal or a truth value. It evaluates the
+// formula over the keys assigned so far in Kleene's three-valued logic. If linear forms share terms, Fourier-Motzkin
 // elimination decides whether the chosen intervals are consistent.
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double tolerance = 1e-9;
 constexpr std::size_t max_steps = 4'000;
 constexpr std::size_t max_constraints = 64;
-constexpr std::size_t max_eliminations = 32;  ///< checks of a whole system of constraints
+constexpr std::size_t max_eliminations = 32;  ///< limit on the checks of whole systems of constraints
 
 enum class Truth { no, yes, open };
 
@@ -36,7 +36,7 @@ double value_inside(double low, double high, bool integer) {
     return integer ? high : (low + high) / 2;  // no integer is strictly between `low` and `high`
 }
 
-/// A constraint on a sum: the sum of coefficient * term is < or <= bound.
+/// The constraint that a sum of coefficient * term is < or <= `bound`.
 struct Constraint {
     std::map<std::string, double> terms;
     double bound = 0;
@@ -45,7 +45,7 @@ struct Constraint {
 
 }  // namespace
 
-/// One search. Keys are assigned in order.
+/// Searches for values of the keys of one formula. Keys get values in order.
 class Search {
 public:
     Search(const Reasoner& reasoner, const Formula& formula) : reasoner_(reasoner), formula_(formula) {
@@ -160,7 +160,8 @@ private:
         return atom.relation == Relation::less ? left < right : left <= right;
     }
 
-    /// Evaluates parts until one decides. `decisive` is `no` for conjunctions.
+    /// Evaluates the parts until one has the value `decisive`, which is `no` for conjunctions and `yes` for
+    /// disjunctions.
     [[nodiscard]] Truth evaluate_parts(const Formula& formula, Truth decisive) const {
         Truth result = negate_truth(decisive);
         for (const Formula& part : formula.parts) {
@@ -206,7 +207,7 @@ private:
         return values_[key].chosen && reasoner_.keys_[key].kind == Reasoner::KeyKind::number;
     }
 
-    /// The terms that occur in a linear form together with other terms.
+    /// Returns the terms that occur in a linear form together with other terms.
     [[nodiscard]] std::set<std::string> shared_terms() const {
         std::set<std::string> result;
         for (std::size_t i = 0; i < values_.size(); ++i)
@@ -244,7 +245,7 @@ private:
         return result;
     }
 
-    /// Adds a and b, in which the term has opposite signs, so that the term is eliminated.
+    /// Adds multiples of a and b, in which the term has opposite signs, so that the term disappears.
     static Constraint eliminate_term(const Constraint& a, const Constraint& b, const std::string& term) {
         const double up = 1 / a.terms.at(term);
         const double down = -1 / b.terms.at(term);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds cycles of transitions that need no event and no time (semantics 3.4, 3.10). Such transitions are urgent, so a
-// machine that can stay in the cycle stays in it, and time stops. A cycle is reported only if three conditions are met:
-// no action on it waits, calls or communicates; its guards can be true together; and neither its own actions nor a
-// concurrent during action changes a variable or clock in its guards.
+// machine that can stay in the cycle stays in it, and time stops. A cycle is reported only if three conditions are met.
+// (1) No action on it waits, calls or communicates. (2) Its guards can be true together. (3) Neither its own actions
+// nor a concurrent during action changes a variable or clock in its guards.
 #include <algorithm>
 #include <deque>
 #include <set>
@@ -79,7 +79,8 @@ private:
         return cycle;
     }
 
-    /// Everything that may change while the cycle runs. Entering a state resets its `sinceEntry`.
+    /// Returns the variables, clocks and states that may change while the machine runs through the cycle. Entering a
+    /// state resets its `sinceEntry`.
     [[nodiscard]] std::unordered_set<const Declaration*> changed_by(const std::vector<const Transition*>& cycle) const {
         Effects effects;
         for (const Transition* way : cycle) {
@@ -125,7 +126,8 @@ private:
     std::unordered_set<const State*> reported_;
 };
 
-/// The during actions of a state may write at any time while the nodes inside it run.
+/// Checks a container and the states inside it. The during actions of a state may write at any time while the machine
+/// is inside the state.
 void check(const NodeContainer& container, const Never& never, std::unordered_set<const Declaration*>& shared,
            Diagnostics& out) {
     Loops(container, never, shared).check(out);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events that arrive while an action waits (semantics 3.3, 3.10). An entry, exit or transition action is not
-// interrupted, so the transitions of enclosing states cannot take the event before the action ends.
+// Reports events that arrive while an action waits (semantics 3.3, 3.10). Events do not interrupt an entry, exit or
+// transition action, so the transitions of enclosing states cannot take the event before the action ends.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ public:
     void run() { check_container(machine_, {}); }
 
 private:
-    /// `around`: the events that the enclosing states await.
+    /// Checks the nodes of a container. `around` contains the events that the enclosing states await.
     void check_container(const NodeContainer& inside, const Events& around) {
         const Graph graph(inside);
         for (const auto& transition : inside.transitions) {

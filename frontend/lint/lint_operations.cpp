@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls that never return (semantics 3.8: a call returns when the operation reaches its final state). Only calls in
-// entry, exit and transition actions are reported. An operation that a during action calls may run until the state is
-// left.
+// Reports calls that never return (semantics 3.8: a call returns when the operation reaches its final state). Only
+// calls in entry, exit and transition actions are reported. An operation that a during action calls may run until the
+// state is left.
 #include <map>
 
 #include "frontend/lint/lints.hpp"

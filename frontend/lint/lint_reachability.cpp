@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that cannot be reached from the initial junction of their container. The choice between enabled transitions is
-// free (semantics 3.4), so a path exists unless one of its transitions can never be taken.
+// Reports nodes that cannot be reached from the initial junction of their container. The choice between enabled
+// transitions is free (semantics 3.4), so a path to a node is possible unless one of its transitions can never be
+// taken.
 #include <algorithm>
 #include <unordered_set>
 
@@ -62,7 +63,8 @@ private:
         return true;
     }
 
-    /// RC-W04 reports a transition that is never taken, so the nodes after it are not reported here.
+    /// True if a transition that is never taken leads from a reachable node to this node. RC-W04 reports the
+    /// transition, so the node itself is not reported.
     [[nodiscard]] bool cut_off(const State& node) const {
         const auto& ways = graph_.transitions_into(node);
         return std::ranges::any_of(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names that hide others. The order of lookup (language reference 1.3) is: bound variables, parameters, own
+// Reports names that hide others. The order of lookup (language reference 1.3) is: bound variables, parameters, own
 // declarations, interfaces in order, enumeration literals.
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ private:
         }
     }
 
-    /// Enters a declaration of the component itself.
+    /// Records a declaration of the component itself.
     void enter_variable(const Variable& variable) {
         visible_.emplace(variable.name, &variable);
         QualifiedName name;
@@ -49,7 +49,7 @@ private:
         if (literal != nullptr) report(variable, *literal);
     }
 
-    /// Enters a declaration of an interface. It is hidden if the component or an earlier interface declares the same
+    /// Records a declaration of an interface. It is hidden if the component or an earlier interface declares the same
     /// name.
     void enter_foreign(const Variable& variable, const Context& interface, const InterfaceClause& clause) {
         const auto [first, fresh] = visible_.emplace(variable.name, &variable);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes in single statements and transitions: a duplicate transition, a variable assigned to itself, a wait that its
-// own deadline interrupts.
+// Reports mistakes in single statements and transitions: duplicate transitions, assignments of a variable to itself,
+// and waits that are longer than their deadline.
 #include <map>
 
 #include "frontend/lint/lints.hpp"
@@ -24,8 +24,8 @@ std::string as_text(const Transition& transition) {
     return text;
 }
 
-/// Reports RC-W14. Transitions that are enabled together but have different effects are not duplicates; they express a
-/// choice.
+/// Reports RC-W14. Transitions that are enabled together but have different effects are not duplicates, because they
+/// express a choice.
 void check_copies(const NodeContainer& container, Diagnostics& out) {
     std::map<std::string, const Transition*> seen;
     for (const auto& transition : container.transitions) {

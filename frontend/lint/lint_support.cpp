@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Helpers that the lints share: transitions by their ends, effects of actions, mentions of variables.
+// Implements helpers that the lints share: the transitions by their ends, the effects of actions, and searches for
+// variables in expressions.
 #include <algorithm>
 #include <cstdlib>
 
@@ -33,7 +34,7 @@ const Declaration* assigned_root(const Expr& target) {
 
 namespace {
 
-/// `wait(0)` and `wait([0,0])` take no time.
+/// False for `wait(0)` and `wait([0,0])`, which take no time.
 bool takes_time(const Stmt& wait) {
     const Expr* longest = wait.upper ? wait.upper.get() : wait.value.get();
     return longest == nullptr || longest->kind != ExprKind::integer ||

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unused declarations (RC-W07), variables that are assigned but never read (RC-W08), both over the whole project, and
-// clocks that are read but never reset (RC-W18). Interfaces and operations may be a library for other projects, so
-// their declarations are not reported. An exception is an interface that is only named with `uses`: its variables and
-// clocks belong to the machines that use it.
+// Reports unused declarations (RC-W07), variables that are assigned but never read (RC-W08), and clocks that are read
+// but never reset (RC-W18). All files of the project are considered. Interfaces and operations may be a library for
+// other projects, so their declarations are not reported. An exception is an interface that is only named with `uses`:
+// its variables and clocks belong to the machines that use it.
 
 #include "frontend/lint/lints.hpp"
 #include "frontend/names/scopes.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 struct Use {
     std::size_t reads = 0;
-    std::size_t others = 0;            ///< inputs into it, resets, communications, connections
+    std::size_t others = 0;            ///< stored inputs, resets, communications, connections
     const Stmt* assignment = nullptr;  ///< the first assignment
     Span reset;                        ///< the first reset of the clock
 };
@@ -35,7 +35,7 @@ public:
         const auto found = uses_.find(&declaration);
         return found != uses_.end() ? found->second : none;
     }
-    /// True if a required interface, an assertion or an event of an operation mentions this name.
+    /// True if a required interface, an assertion or an event of an operation has or mentions this name.
     [[nodiscard]] bool is_wanted(const std::string& name) const { return wanted_.contains(name); }
     [[nodiscard]] const std::vector<const Context*>& all_contexts() const { return contexts_; }
     [[nodiscard]] const std::unordered_set<const Declaration*>& given_out() const { return given_out_; }
@@ -72,7 +72,7 @@ private:
             for (const auto& variable : interface->variables) wanted_.insert(variable->name);
             for (const auto& clock : interface->clocks) wanted_.insert(clock->name);
         }
-        if (context.kind == DeclKind::operation)  // its callers have events of these names
+        if (context.kind == DeclKind::operation)  // the callers have events with these names
             for (const Event* event : visible_events(context)) wanted_.insert(event->name);
         for (const auto& variable : context.variables) {
             read(variable->type_expr.get());

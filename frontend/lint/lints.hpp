@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings about models that are well-formed but probably not intended (private to the front end). A warning is given
-// only if an expert in the semantics would agree with it (pages of the rules RC-W…); in doubt, no warning is given. The
-// cost is linear in the size of the project, apart from bounded searches over the guards of one node.
+// Reports warnings about models that are well-formed but probably not intended (private to the front end). A warning is
+// given only if an expert in the semantics would agree with it (see the pages of the rules RC-W…). The cost is linear
+// in the size of the project, apart from bounded searches over the guards of one node.
 #pragma once
 
 #include <optional>
@@ -18,19 +18,19 @@ namespace robochart::frontend {
 
 using diagnostics::Diagnostics;
 
-/// Reports all warnings about a resolved model. Files with errors are skipped. Warnings that consider several files
-/// need a project without errors.
+/// Reports all warnings about a resolved model. Files with errors are skipped. Warnings that consider several files are
+/// reported only if the project has no errors.
 void lint_model(const Model& model, const Names& names, Diagnostics& out);
 
-// Gives all warnings in two steps: first those of each file, then those of the project. `written_by` maps the name of
-// an operation to the variables that it writes.
+// The two steps of `lint_model`: first the warnings about each file, then those about the project. `written_by` maps
+// the name of an operation to the variables that it writes.
 using WrittenBy = std::unordered_map<std::string, std::unordered_set<std::string>>;
 [[nodiscard]] WrittenBy variables_written_by_operations(const Model& model);
 [[nodiscard]] bool may_lint(const File& file, const Diagnostics& out);
 [[nodiscard]] bool may_lint_project(const Model& model, const Diagnostics& out);
-/// Warnings about single components and functions of a file.
+/// Reports warnings about single components and functions of a file.
 void lint_file(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out);
-/// Warnings that consider several files.
+/// Reports warnings that consider several files.
 void lint_project(const Model& model, Diagnostics& out);
 
 /// The transitions of one container, indexed by source and target.
@@ -52,27 +52,28 @@ private:
 
 /// The effects that an action may have.
 struct Effects {
-    std::unordered_set<const Declaration*> writes;  ///< variables assigned or received into, clocks reset
+    std::unordered_set<const Declaration*> writes;  ///< variables that change, clocks that are reset
     bool calls = false;
     bool communicates = false;
     bool waits = false;
 };
 void add_effects(const Stmt& action, Effects& effects);
-/// Adds the effects of the actions of a state and the states inside it. `during`: whether during actions are included.
+/// Adds the effects of the actions of a state and the states inside it. During actions are included if `during` is
+/// true.
 void add_effects(const State& state, bool during, Effects& effects);
 
-/// The variable at the root of `v`, `v.f` or `v[i]`; null if there is none.
+/// Returns the variable at the root of `v`, `v.f` or `v[i]`, or null if there is none.
 [[nodiscard]] const Declaration* assigned_root(const Expr& target);
 /// True if the expression mentions one of these variables or clocks, or sinceEntry of one of these states.
 [[nodiscard]] bool mentions_any(const Expr& expr, const std::unordered_set<const Declaration*>& declarations);
-/// The value of a literal.
+/// Returns the value of a literal number.
 [[nodiscard]] std::optional<double> number_of(const Expr& expr);
-/// The shortest time that a statement can take, computed from its literals.
+/// Returns the shortest time that a statement can take, computed from its literals.
 [[nodiscard]] double least_time(const Stmt& statement);
-/// The names as a list in a sentence: "`a`, `b` and `c`".
+/// Returns the names as a list in a sentence: "`a`, `b` and `c`".
 [[nodiscard]] std::string list_names(const std::vector<std::string>& names);
 
-/// Transitions that can never be taken.
+/// The transitions that can never be taken.
 using Never = std::unordered_set<const Transition*>;
 
 /// Reports junctions whose guards may all be false (RC-W02), transitions that can never fire (RC-W04) and guards that

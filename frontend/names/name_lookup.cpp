@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves names through scopes and imports. An unknown name is reported once, with the nearest spelling.
+// Resolves names through scopes and imports. An unknown name is reported once, with the known name whose spelling is
+// nearest.
 #include "frontend/names/name_lookup.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ constexpr DeclKind all_kinds[] = {DeclKind::primitive_type, DeclKind::record_typ
                                   DeclKind::platform,       DeclKind::operation,   DeclKind::state_machine,
                                   DeclKind::controller,     DeclKind::module,      DeclKind::reference};
 
-/// The row of foreign_words for this name, if another notation uses the name for this kind of declaration; otherwise
-/// null.
+/// Returns the row of foreign_words for this name, if another notation uses the name for this kind of declaration, or
+/// null otherwise.
 const ForeignWord* foreign_name(std::string_view what, const QualifiedName& name) {
     constexpr std::array<std::pair<std::string_view, ForeignPlace>, 4> places = {
         {{"type", ForeignPlace::type},
@@ -59,7 +60,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     const std::string full = hidden != nullptr ? names_.full_name(hidden) : std::string();
     const std::size_t cut = full.rfind("::");
     const bool importable = cut != std::string::npos && name.parts.size() == 1;
-    // Names that are missing for the same reason, a missing or unresolved import, are reported only once.
+    // Names that are unknown because of the same missing or unresolved import are reported only once.
     std::string package;
     if (importable)
         package = full.substr(0, cut);
@@ -80,7 +81,7 @@ const Declaration* Finder::find(const Place& place, const QualifiedName& name, c
     return nullptr;
 }
 
-/// The first package that the file imports but that does not exist; "" if all exist.
+/// Returns the first package that the file imports but that does not exist, or "" if all exist.
 std::string Finder::lost_import(const Place& place) const {
     if (place.file == nullptr) return {};
     for (const Import& import : place.file->imports) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks names up and reports unknown ones with suggestions (private to the front end).
+// Looks up names, and reports unknown names with suggestions (private to the front end).
 #pragma once
 
 #include <set>
@@ -17,21 +17,23 @@ class Finder {
 public:
     Finder(const Names& names, diagnostics::Diagnostics& out) : names_(names), out_(&out) {}
 
-    /// The declaration that a name refers to; an unknown name is reported and the result is null.
+    /// Returns the declaration that a name refers to. If the name is unknown, reports this and returns null.
     const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds, std::string_view what);
     /// Reports an unknown name, with the nearest candidate as a fix. A name is reported once in a file for each value
     /// of `where`. Nothing is reported if the name may be declared in text that could not be parsed. `where` completes
     /// "there is no X `x` …".
     diagnostics::Diagnostic& report_unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                             const std::vector<std::string>& candidates);
-    /// Returns true at the first call for this component and interface. Only then a missing member is reported, because
-    /// a component without a clause for an interface lacks all members of the interface, but this is a single mistake.
+    /// Returns true at the first call for this component and interface. A component without a clause for an interface
+    /// lacks all members of the interface, but only the first missing member is reported.
     bool first_missing(const Declaration* component, const Context* interface) {
         return missing_.emplace(component, interface).second;
     }
-    /// Simple names of these kinds, for suggestions; empty if there are so many errors that no suggestion is shown.
+    /// Returns the simple names of these kinds, for suggestions. The result is empty if there are so many errors that
+    /// no suggestion is shown.
     [[nodiscard]] std::vector<std::string> candidate_names(const Kinds& kinds) const;
-    /// The keys of a scope's table, for suggestions; empty if there are so many errors that no suggestion is shown.
+    /// Returns the keys of a scope's table, for suggestions. The result is empty if there are so many errors that no
+    /// suggestion is shown.
     template <class Map>
     [[nodiscard]] std::vector<std::string> keys_of(const Map& map) const {
         std::vector<std::string> result;
@@ -41,7 +43,7 @@ public:
     }
     [[nodiscard]] const Names& names() const { return names_; }
     [[nodiscard]] diagnostics::Diagnostics& out() { return *out_; }
-    /// Sends later reports to `out`; returns the previous receiver.
+    /// Sends later reports to `out`. Returns the previous receiver.
     diagnostics::Diagnostics& redirect_reports(diagnostics::Diagnostics& out) { return *std::exchange(out_, &out); }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of declarations by name, filled file by file; the declarations of nearer files are preferred.
+// Fills the tables of declarations by name, file by file, and looks up names in them.
 #include "frontend/names/names.hpp"
 
 #include <algorithm>
@@ -44,7 +44,8 @@ bool fits_dialect(const Declaration& declaration, Dialect dialect) {
     return context == nullptr || context->dialect == dialect;
 }
 
-/// The recursion is bounded, because the parser limits the depth of composite states.
+/// Sets the parents of nodes and transitions. The recursion is bounded, because the parser limits the depth of
+/// composite states.
 void adopt_nodes(NodeContainer& container, const Declaration& parent) {
     for (auto& node : container.nodes) {
         node->parent = &parent;
@@ -110,7 +111,7 @@ void Names::enter_declaration(Declaration& declaration, const Declaration* paren
     if (auto* component = dynamic_cast<Component*>(&declaration)) enter_component(*component, full);
 }
 
-/// A literal is entered as `E::L` and as `L`.
+/// Adds a type. A literal is added twice, as `E::L` and as `L`.
 void Names::enter_type(TypeDeclaration& type, const std::string& prefix) {
     for (auto& field : type.fields) field->parent = &type;
     for (auto& literal : type.literals) {
@@ -135,14 +136,14 @@ const File* Names::file_of(const Declaration& declaration) const {
     return owner != files_.end() ? owner->second : nullptr;
 }
 
-/// True if `declaration` is inside `around` at any depth; always true if `around` is null.
+/// True if `declaration` is inside `around` at any depth, or if `around` is null.
 bool stands_inside(const Declaration* declaration, const Declaration* around) {
     while (declaration != nullptr && declaration != around) declaration = declaration->parent;
     return declaration == around;
 }
 
-/// If several declarations have the name, returns one of the dialect if there is any, of these the one in the nearest
-/// file, and the first of equally near ones. If `inside` is given, only declarations inside it count.
+/// Returns the best declaration with this name: declarations of the dialect are preferred, then declarations in nearer
+/// files, then earlier ones. If `inside` is not null, the result is inside it.
 const Declaration* Names::find_nearest(const std::string& full, const Kinds& kinds, const Place& place,
                                        const Declaration* inside) const {
     const File* const file = place.file;

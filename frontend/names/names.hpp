@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of a project and their lookup (language reference 1.3); private to the front end.
+// Stores the names of a project and looks them up (language reference 1.3). Private to the front end.
 #pragma once
 
 #include <initializer_list>
@@ -31,36 +31,38 @@ private:
 struct Place {
     const File* file = nullptr;
     const Declaration* inside = nullptr;
-    std::optional<Dialect> dialect = std::nullopt;  ///< the dialect of the component meant; no value: that of the file
+    std::optional<Dialect> dialect = std::nullopt;  ///< the dialect of the component; no value: the dialect of the file
 };
 
-/// The nearness of two files: the number of folders that contain both, plus one. A file is nearest to itself; toolkits
-/// are farther away than any other file.
+/// Returns the nearness of two files: the number of folders that contain both, plus one. No file is nearer to a file
+/// than the file itself. Toolkits are farther away than all other files.
 [[nodiscard]] std::size_t file_nearness(const File& a, const File& b);
 
-/// All names declared at package level or inside components, by their full names such as `P::C::S`.
+/// All declarations at package level or inside components, by their full names such as `P::C::S`.
 class Names {
 public:
-    /// Enters every file and sets the `parent` of every declaration.
+    /// Adds the declarations of all files and sets their `parent`.
     explicit Names(const Model& model);
 
-    /// The declaration that a name refers to at a place. Searches the enclosing declarations, then the package, its
-    /// imports and unnamed packages. Null if no declaration of these kinds is found. If several declarations have the
-    /// name, the result is the one in the nearest file (`file_nearness`), because neighbouring projects may use the
-    /// same names. A component of the dialect is preferred to one of the other dialect.
+    /// Returns the declaration that a name refers to at a place. Searches the enclosing declarations, then the package,
+    /// the imports and unnamed packages. Returns null if no declaration of these kinds is found. If several
+    /// declarations have the name, the result is the declaration in the nearest file (`file_nearness`), because
+    /// neighbouring projects may use the same names. Components of the place's dialect are preferred to those of the
+    /// other dialect.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
-    /// All declarations with a full name.
+    /// Returns all declarations with this full name.
     [[nodiscard]] const std::vector<const Declaration*>& declarations_of(const std::string& full_name) const;
-    /// Simple names of all declarations of these kinds, for suggestions.
+    /// Returns the simple names of all declarations of these kinds, for suggestions.
     [[nodiscard]] std::vector<std::string> names_of_kinds(const Kinds& kinds) const;
-    /// The first declaration, by full name, with this simple name and kind, anywhere in the project.
+    /// Returns the declaration with this simple name and kind anywhere in the project. If there are several, the first
+    /// full name in alphabetical order is taken.
     [[nodiscard]] const Declaration* find_anywhere(std::string_view simple_name, const Kinds& kinds) const;
-    /// The first interface, by its full name, that declares an event, clock, variable (or constant) or operation
-    /// signature of this name; null if there is none.
+    /// Returns the interface that declares an event, clock, variable (or constant) or operation signature of this name,
+    /// or null if there is none. If there are several, the first full name in alphabetical order is taken.
     [[nodiscard]] const Context* interface_with(std::string_view name, DeclKind kind) const;
-    /// The name of a type in messages, qualified with its package if another type has the same name.
+    /// Returns the name of a type in messages, qualified with its package if another type has the same name.
     [[nodiscard]] std::string type_name(const TypeDeclaration& type) const;
-    /// `P::C::S` of an entered declaration.
+    /// Returns the full name of a declaration, such as `P::C::S`.
     [[nodiscard]] std::string full_name(const Declaration* declaration) const;
     /// True if the parts of `name` before the last one name the declaration around `member`: `I::v` or `P::I::v` for
     /// `v` of `P::I`.
@@ -69,14 +71,14 @@ public:
     [[nodiscard]] bool has_package(const std::string& name) const;
     /// True if the name is a package or the beginning of a package name (`A` of `A::B`).
     [[nodiscard]] bool leads_to_package(const std::string& name) const;
-    /// The packages that have files, sorted; "" is the unnamed package.
+    /// Returns the packages that have files, sorted. The unnamed package is "".
     [[nodiscard]] const std::vector<std::string>& packages() const { return packages_; }
     /// True if the name may be declared in text that could not be parsed, so that it must not be reported as unknown.
     [[nodiscard]] bool is_lost(const QualifiedName& name) const;
     /// True if `is_lost` returned true since the last call of this function.
     [[nodiscard]] bool take_asked_lost() const { return std::exchange(asked_lost_, false); }
-    /// The number of parts of the longest full name or package name. A longer name cannot refer to a declaration as a
-    /// whole.
+    /// Returns the number of parts of the longest full name or package name. A longer name cannot refer to a
+    /// declaration as a whole.
     [[nodiscard]] std::size_t most_parts() const { return most_parts_; }
     [[nodiscard]] const std::map<std::string, std::vector<const Declaration*>>& entries() const { return by_name_; }
 

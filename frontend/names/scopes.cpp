@@ -22,7 +22,8 @@ void add(Map& map, const Items& items) {
     for (const auto& item : items) map.emplace(item->name, &*item);
 }
 
-/// A provided interface makes its events and operations visible, but not its variables, which other components use.
+/// Adds the members of an interface. The variables of a provided interface are not visible, because other components
+/// use them.
 void add_interface(Scope& scope, const Context& interface, InterfaceUse use) {
     if (use != InterfaceUse::provides) add(scope.variables, interface.variables);
     if (use != InterfaceUse::provides) add(scope.clocks, interface.clocks);
@@ -36,7 +37,7 @@ void for_interfaces(const Context& context, Use use) {
         if (const Context* interface = interface_of(clause)) use(*interface, clause.use);
 }
 
-/// Enters the events that a context of a RoboSim machine declares or uses.
+/// Adds the events that a context of a RoboSim machine declares or uses.
 void add_register_events(Scope& scope, const Context* registers) {
     if (registers == nullptr) return;
     add(scope.events, registers->events);

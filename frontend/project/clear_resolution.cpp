@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See clear_resolution.hpp. Fields are overwritten, and their pointers are not followed, because they may point into
-// files that no longer exist.
+// See clear_resolution.hpp. The old pointers in the fields are not followed, because they may point into files that no
+// longer exist.
 #include "frontend/project/clear_resolution.hpp"
 
 #include "frontend/syntax/file_visitor.hpp"

@@ -6,7 +6,7 @@
 
 namespace robochart::frontend {
 
-/// Clears every field that resolution and typing fill, so that both can run again after files were replaced.
+/// Clears every field that resolution and typing fill, so that both can run again after files have been replaced.
 void reset(Model& model);
 void reset(File& file);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model as indented text, one node a line, for `--print ast` and `--print model`.
+// Writes the model as indented text, with one node per line, for `--print ast` and `--print model`.
 #include <fmt/format.h>
 
 #include "base/diagnostics/text.hpp"
@@ -49,7 +49,7 @@ private:
     void dump_assertion(const Assertion& assertion);
     void csp_block(const CspBlock& block);
     [[nodiscard]] std::string parameter_list(const std::vector<VariablePtr>& list) const;
-    /// ` -> file:line name` of the declaration that a name refers to.
+    /// Returns ` -> file:line name` for the declaration that a name refers to.
     [[nodiscard]] std::string target_text(const Declaration* declaration) const;
     [[nodiscard]] std::string text_with_type(const Expr& expr) const;
 

@@ -29,9 +29,9 @@ using Findings = std::vector<Diagnostic>;
 
 /// The stored results of a file.
 struct Known {
-    std::string outside;               ///< the parts that other files see, as text; computed on first use
+    std::string outside;               ///< the parts that are visible in other files, as text; computed on first use
     Findings names;                    ///< findings about names and types
-    bool asked_lost = false;           ///< an unresolved name may have been in text that could not be parsed
+    bool asked_lost = false;           ///< an unresolved name may be declared in text that could not be parsed
     std::optional<Findings> warnings;  ///< warnings about single machines; no value if they were not computed
     bool changed = false;              ///< the tree was replaced
 };
@@ -52,8 +52,8 @@ Lost lost_in(const Model& model) {
     return lost;
 }
 
-/// Appends one character for each declaration that is visible in other files. It shows whether the declaration contains
-/// a syntax error.
+/// Appends one character for each declaration that is visible in other files. The character shows whether the
+/// declaration contains a syntax error.
 void add_broken(const Declaration& declaration, std::string& out) {
     out += declaration.broken ? '!' : '.';
     const auto* component = dynamic_cast<const Component*>(&declaration);
@@ -76,7 +76,7 @@ bool has_components(const File& file) {
     });
 }
 
-/// The size of a vector may name a constant whose own type is not known yet; this depends on the order of files.
+/// Finds types with sizes. A size may be a constant whose own type is not known yet, depending on the order of files.
 struct SizeFinder {
     bool found = false;
     void visit(const TypeExpr& type) { found = found || !type.sizes.empty(); }
@@ -105,7 +105,7 @@ void report_again(const Findings& findings, Diagnostics& out) {
     }
 }
 
-/// True if all findings were stored and no search for a fix was skipped.
+/// True if there are so few findings that all were stored and no search for a fix was skipped.
 bool are_few(const Diagnostics& findings) {
     return findings.error_count() < Diagnostics::max_kept && findings.warning_count() < Diagnostics::max_kept;
 }
@@ -177,7 +177,7 @@ void Resolution::State::resolve(Model& model, Diagnostics& out) {
     many_ = !are_few(out);
 }
 
-/// Returns false if the stored results are not sufficient.
+/// Resolves the model with the stored results. Returns false if they are not sufficient.
 bool Resolution::State::run(Model& model, Diagnostics& out) {
     const bool anew = !valid_;
     Lost lost = lost_in(model);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolution for editors, in which files change one at a time. The cost depends on the size of the change.
+// Resolves a project again after single files have changed, for editors. The cost depends on the size of the change.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace robochart::frontend {
 
-/// Gives the same results as `resolve`. A change inside the nodes and transitions of machines affects no other file,
-/// except for assertions and rules about the whole project. In this case, the names, types and warnings of the other
-/// files are reused, and their trees are not changed. After any other change, or if there are hundreds of findings,
-/// everything is resolved again.
+/// Resolves a model with the same results as `resolve`. A change inside the nodes and transitions of machines affects
+/// only assertions and rules about the whole project in other files. After such a change, the names, types and warnings
+/// of the other files are reused, and their trees are not changed. After any other change, or if there are hundreds of
+/// findings, everything is resolved again.
 class Resolution {
 public:
     Resolution();
@@ -23,13 +23,13 @@ public:
     /// Replaces the tree of a file in the model by a new one. If possible, the old tree remains and gets the contents
     /// of the new tree, so that pointers into it stay valid.
     void replace(std::unique_ptr<File>& place, std::unique_ptr<File> fresh);
-    /// Must be called after files were added to the model or removed from it; the next `resolve` then resolves
-    /// everything.
+    /// Makes the next `resolve` resolve everything. Must be called after files have been added to the model or removed
+    /// from it.
     void forget_results();
-    /// Fills the model and reports mistakes, like the function `resolve`. If the budget of `out` ends it,
-    /// `forget_results` must be called.
+    /// Fills the model and reports mistakes, like the function `resolve`. If the budget of `out` runs out during the
+    /// call, `forget_results` must be called afterwards.
     void resolve(Model& model, diagnostics::Diagnostics& out);
-    /// The number of files whose names and types the last `resolve` resolved.
+    /// Returns the number of files whose names and types the last `resolve` resolved.
     [[nodiscard]] std::size_t files_resolved() const;
 
 private:

@@ -10,7 +10,7 @@
 namespace robochart::frontend {
 namespace {
 
-/// The part, and the rest of its last line if that is blank.
+/// Returns the span of the part, including the rest of its last line if that is blank.
 diagnostics::Span whole_lines(diagnostics::Span part, std::string_view text) {
     std::size_t end = part.end;
     while (end < text.size() && (text[end] == ' ' || text[end] == '\t' || text[end] == '\r')) ++end;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves the claims of an assertion file into the claims file beside it, because RoboTool rejects assertion files with
-// claims (docs/claims.md).
+// Moves the claims of an assertion file into the claims file in the same folder, because RoboTool rejects assertion
+// files with claims (docs/claims.md).
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ namespace robochart::frontend {
 struct MovedClaims {
     std::string path;                         ///< the claims file: NAME.claims for NAME.assertions
     std::string text;                         ///< imports and claims, to be added at the end of the claims file
-    std::vector<diagnostics::Span> removals;  ///< of the assertion file, in textual order
+    std::vector<diagnostics::Span> removals;  ///< the parts to remove from the assertion file, in textual order
 };
 
-/// No value if the file has no claims.
+/// Returns the changes of both files, or no value if the file has no claims.
 [[nodiscard]] std::optional<MovedClaims> move_claims(const File&, const diagnostics::SourceManager&);
 
-/// True if the part belongs into a claims file.
+/// True if the part belongs in a claims file.
 [[nodiscard]] bool is_claim(const KeptPart&);
 
 }  // namespace robochart::frontend

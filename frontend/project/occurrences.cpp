@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See occurrences.hpp. Resolution stores the target of the last part of each name in the tree. The targets of the parts
-// before it are the declarations around that target, or follow from the path if it leads through references (language
-// reference 1.3).
+// See occurrences.hpp. Resolution stores the target of the last part of each name in the tree. The targets of the other
+// parts are the declarations around that target. If the path leads through references, the targets follow from the path
+// (language reference 1.3).
 #include "frontend/project/occurrences.hpp"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ public:
         return best;
     }
 
-    /// The declaration of each part, if the target of the last part is known.
+    /// Returns the declaration of each part, if the target of the last part is known.
     [[nodiscard]] std::vector<Part> parts_of(const Place& place, const QualifiedName& name,
                                              const Declaration& target) const {
         std::vector<Part> result(name.parts.size());
@@ -88,7 +88,7 @@ private:
             std::ranges::count_if(parts, [](const Part& p) { return p.target || !p.package.empty(); }));
     }
 
-    /// The possible numbers of leading parts that name a package; the first is 0.
+    /// Returns the possible numbers of leading parts that name a package. The first number is 0.
     [[nodiscard]] std::vector<std::size_t> package_lengths(const QualifiedName& name) const {
         std::vector<std::size_t> result{0};
         for (std::size_t i = 1; i <= name.parts.size(); ++i)
@@ -241,7 +241,7 @@ public:
     }
 
 private:
-    /// The kind of definition of an assertion file that an expression refers to.
+    /// Returns the kind of definition of an assertion file that an expression refers to.
     static std::optional<ProbabilisticKind> defined_by(const Expr& expr) {
         if (expr.kind == ExprKind::reward) return ProbabilisticKind::rewards;
         if (expr.kind != ExprKind::marked) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The occurrences of every name of a project with their targets. Go-to-definition, references and renaming use them.
+// Lists the occurrences of all names of a project with their targets, for go-to-definition, references and renaming.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robochart::frontend {
 
-/// The kind of the target of a name, as far as it is known.
+/// The kind of the target of a name.
 enum class NameKind {
     declaration,    ///< `target`
     package,        ///< a package or the first parts of its name; `text` is the name up to here, such as `A::B`
@@ -21,7 +21,7 @@ enum class NameKind {
     unknown,        ///< the target was not found; a finding reports this
 };
 
-/// The use of a variable, clock or event.
+/// How an occurrence uses a variable, clock or event.
 enum class Access { none, read, write };
 
 /// A name at a place in a text. Each part of a qualified name is a separate occurrence.
@@ -34,14 +34,14 @@ struct Occurrence {
     Access access = Access::none;
 };
 
-/// All names of a resolved model outside its libraries, by place. Names inside CSP blocks and parts of other tools are
-/// not resolved.
+/// Returns all names of a resolved model outside its libraries, by place. Names inside CSP blocks and in parts for
+/// other tools are not included.
 [[nodiscard]] std::vector<Occurrence> find_occurrences(const Model& model);
 
-/// The member of a declaration with this name: components and nodes inside it, literals, fields, and members of its
-/// interfaces. References are followed. Null if there is none.
+/// Returns the member of a declaration with this name: components and nodes inside it, literals, fields, and members of
+/// its interfaces. References are followed. Returns null if there is no such member.
 [[nodiscard]] const Declaration* member_of(const Declaration& declaration, std::string_view name);
-/// All members in textual order; own members come first.
+/// Returns all members: first the declaration's own members, then those of its interfaces, each in textual order.
 [[nodiscard]] std::vector<const Declaration*> members_of(const Declaration& declaration);
 
 }  // namespace robochart::frontend

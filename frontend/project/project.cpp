@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns a path into a resolved model. A folder is a project. For a single file, the files of its folder that it needs
+// Turns a path into a resolved model. A folder is a project. For a single file, the files in its folder that it needs
 // are loaded as well.
 #include "frontend/project/project.hpp"
 
@@ -39,7 +39,8 @@ bool same_dialect(const fs::path& a, const fs::path& b) {
     return dialect_of(a.string()) == dialect_of(b.string());
 }
 
-/// Model and assertion files of a folder, sorted. An unreadable folder is an error, because needed files may be in it.
+/// Returns the model and assertion files of a folder, sorted. An unreadable folder is an error, because it may contain
+/// needed files.
 std::vector<fs::path> files_of(const fs::path& folder, bool deep, Diagnostics& out) {
     const diagnostics::FilesBelow found = diagnostics::files_below(folder.string(), deep);
     for (const auto& [path, cause] : found.unreadable) out.report(syntax::unreadable, {}, {path, cause});
@@ -65,11 +66,11 @@ bool is_empty(const File& file) {
            file.probabilistic_assertions.empty() && file.imports.empty() && file.package.empty();
 }
 
-/// A file in the folder of the named file, with the data that decides whether it is needed.
+/// A file in the folder of the named file, and the data that determine whether it is needed.
 struct Neighbour {
     fs::path path;
     bool readable = false;
-    bool simulates = false;  ///< claims about RoboSim that compare with components of RoboChart
+    bool simulates = false;  ///< the file contains claims that compare RoboSim with RoboChart
     std::string package;
     std::set<std::string> declares;
     std::set<std::string> mentions;
@@ -78,7 +79,7 @@ struct Neighbour {
 
 Neighbour survey_file(const fs::path& path) {
     SourceManager sources;
-    Diagnostics ignored;  // findings of the first reading; a needed file is read again and its findings are reported
+    Diagnostics ignored;  // findings of the first reading; needed files are read again and then report their findings
     Neighbour result;
     result.path = path;
     const auto file = read(sources, path, ignored);
@@ -109,13 +110,14 @@ bool sets_overlap(const std::set<std::string>& a, const std::set<std::string>& b
 /// The names that the chosen files declare, by dialect and package.
 class Declared {
 public:
-    /// If claims about RoboSim compare with RoboChart, a name may mean a component of either dialect in any package. So
-    /// only files of the candidate's dialect and package make the candidate superfluous.
+    /// Collects the names that the chosen files declare. If the named file contains claims that compare RoboSim with
+    /// RoboChart, a name may refer to a component of either dialect in any package. A candidate is then superfluous
+    /// only because of files of its own dialect and package.
     explicit Declared(const Neighbour& named) : apart_(named.simulates) {}
 
     void add(const Neighbour& file) { names_[key_of(file)].insert(file.declares.begin(), file.declares.end()); }
 
-    /// The names that the candidate declares and no chosen file.
+    /// Returns the names that the candidate declares but no chosen file declares.
     [[nodiscard]] std::set<std::string> only_in(const Neighbour& candidate) const {
         std::set<std::string> result = candidate.declares;
         for (const auto& [key, names] : names_)
@@ -143,7 +145,8 @@ bool needs_candidate(const Neighbour& chosen, const Neighbour& candidate, const 
     return sets_overlap(declared.only_in(candidate), chosen.mentions);
 }
 
-/// The models of the folders in this folder. RoboTool writes a translation as `x.rsa`, `robochart/` and `robosim/`.
+/// Returns the models of the folders in this folder. RoboTool writes a translation as `x.rsa`, `robochart/` and
+/// `robosim/`.
 std::vector<fs::path> models_below(const fs::path& folder) {
     std::vector<fs::path> folders, result;
     std::error_code code;
@@ -159,9 +162,9 @@ std::vector<fs::path> models_below(const fs::path& folder) {
     return result;
 }
 
-/// The files that the named file may need: those of its folder. An assertion file that is the only input may be in a
-/// folder without models; its assertions then refer to the models of the parent folder, and those of a `.rsa` file also
-/// to the models of the folders in its folder.
+/// Returns the files that the named file may need: those of its folder. If the only input is an assertion file in a
+/// folder without models, its assertions refer to the models of the parent folder. Those of a `.rsa` file also refer to
+/// the models of the folders in its folder.
 std::vector<fs::path> candidate_files(const fs::path& named, bool alone, Diagnostics& out) {
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
     std::vector<fs::path> found = files_of(folder, false, out);
@@ -177,8 +180,8 @@ std::vector<fs::path> candidate_files(const fs::path& named, bool alone, Diagnos
     return found;
 }
 
-/// The named file and all files that it needs, transitively. For a named model, assertion files of its dialect in the
-/// folder are included; a named assertion file is the only assertion file.
+/// Returns the named file and all files that it needs, transitively. If the named file is a model, the assertion files
+/// of its dialect in the folder are included. If it is an assertion file, no other assertion files are included.
 std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostics& out) {
     std::vector<Neighbour> open;
     for (const fs::path& path : candidate_files(named, alone, out)) open.push_back(survey_file(path));
@@ -209,7 +212,7 @@ std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostic
     return result;
 }
 
-/// The name of a file or folder in the same folder that is similar to the path's name.
+/// Returns the file or folder in the same folder whose name is most similar to the path's name.
 std::string similar_path(const fs::path& path) {
     std::error_code code;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -223,7 +226,7 @@ std::string similar_path(const fs::path& path) {
     return path.has_parent_path() ? (path.parent_path() / meant).string() : meant;
 }
 
-/// The files of one input; a missing file is reported.
+/// Returns the files of one input, and reports a missing file.
 std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagnostics& out) {
     std::error_code code;
     const bool is_folder = fs::is_directory(path, code);
@@ -245,7 +248,7 @@ std::vector<fs::path> files_of_input(const std::string& path, bool alone, Diagno
     return result;
 }
 
-/// The files of all inputs. A file that is named twice is included once.
+/// Returns the files of all inputs. A file that is named twice is included once.
 std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Diagnostics& out) {
     std::vector<fs::path> result;
     std::set<fs::path> seen;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The entry point of the front end: turns a path into a resolved and typed model, or into diagnostics.
+// Turns a path into a resolved and typed model, or into diagnostics. This is the entry point of the front end.
 #pragma once
 
 #include <memory>
@@ -16,24 +16,24 @@ namespace robochart::frontend {
 /// matter.
 void resolve(Model&, diagnostics::Diagnostics&);
 
-/// Sets the toolkits of the model to those that its files import. Editors, in which single files change, must call it
-/// before `resolve`. Unchanged toolkits are not read again.
+/// Sets the toolkits of the model to those that its files import. Editors must call this function before `resolve` if a
+/// file has changed. Unchanged toolkits are not read again.
 void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnostics&);
 
-/// Model and assertion files of a folder, sorted by path, without hidden files. With `deep`, also those of its
-/// subfolders.
+/// Returns the paths of the model and assertion files in a folder, sorted, without hidden files. If `deep` is true, the
+/// files in subfolders are included.
 [[nodiscard]] std::vector<std::string> project_files(const std::string& folder, bool deep);
 
-/// Reads, parses and resolves a project, and always returns a model, even if there are errors. If `path` is a folder,
-/// all `.rct`, `.rst`, `.assertions` and `.rsa` files below it are loaded, sorted by path. If it is one file, the files
-/// of its folder that it needs are loaded as well, so that imports work. Assertions come only from the named file or,
-/// for a model, from the files of its dialect in its folder. If a named assertion file is in a folder without models,
-/// the models of the parent folder are used. For a `.rsa` file, the models in the subfolders of its folder are also
-/// used. A missing path and unreadable or empty input are reported.
+/// Reads, parses and resolves a project, and always returns a model, even if it has errors. If `path` is a folder, all
+/// `.rct`, `.rst`, `.assertions` and `.rsa` files below it are loaded, sorted by path. If it is one file, the files in
+/// the same folder that this file needs are loaded as well, so that imports work. Assertions are read only from this
+/// file or, if it is a model, from the files of its dialect in its folder. If it is an assertion file in a folder
+/// without models, the models of the parent folder are used and, for a `.rsa` file, also those in the subfolders of its
+/// folder. A missing path and unreadable or empty input are reported.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
                                                   diagnostics::Diagnostics&);
 
-/// Loads several inputs as one project, which contains the files of all inputs.
+/// Loads several inputs as one project. The project contains the files of all inputs.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::vector<std::string>& paths,
                                                   diagnostics::Diagnostics&);
 
@@ -42,8 +42,8 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
                                                 const std::vector<diagnostics::SourceId>& texts,
                                                 diagnostics::Diagnostics&);
 
-/// The model as indented text, with one node per line: for `--print ast` before resolution, and for `--print model`
-/// after resolution, with targets and types.
+/// Returns the model as indented text, with one node per line. `--print ast` prints it before resolution. `--print
+/// model` prints it after resolution, with targets and types.
 [[nodiscard]] std::string dump_model(const Model&, const diagnostics::SourceManager&, bool resolved);
 
 }  // namespace robochart::frontend

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole resolution: names, then types, then rules. Rules do not check a declaration with a syntax error, because a
-// part that seems absent may be in the text that could not be parsed. While some file has syntax errors, rules about
-// several declarations are not checked at all.
+// Performs the whole resolution: names, then types, then rules. Rules do not check a declaration with a syntax error,
+// because a part that seems absent may be in the text that could not be parsed. While some file has syntax errors,
+// rules about several declarations are not checked at all.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -18,7 +18,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Rules that consider a single declaration.
+/// Checks the rules that consider a single declaration.
 void check_inside(const Declaration& declaration, Diagnostics& out) {
     if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) check_type(*type, out);
     if (const auto* machine = dynamic_cast<const Machine*>(&declaration)) {
@@ -27,7 +27,7 @@ void check_inside(const Declaration& declaration, Diagnostics& out) {
     }
 }
 
-/// `whole`: every file was parsed completely.
+/// Checks a declaration. `whole` is true if all files were parsed without errors.
 void check(const Declaration& declaration, bool whole, Diagnostics& out) {
     out.poll();
     if (!declaration.broken) check_inside(declaration, out);
@@ -50,7 +50,7 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
 
 }  // namespace
 
-/// Parts of claims files, about which the parser has reported.
+/// The words that begin parts of claims files. The parser has already reported these parts.
 constexpr std::array<std::string_view, 4> words_of_claims = {"claim", "assume", "order", "unit"};
 
 void check_probabilistic(const File& file, Diagnostics& out) {

@@ -14,7 +14,7 @@ namespace {
 
 // ---------------------------------------------------------------- the parts that other files see
 
-/// Removes the bodies of machines from a tree and restores them when it is destroyed.
+/// Removes the bodies of machines from a tree. The destructor restores them.
 class Emptied {
 public:
     explicit Emptied(File& file) {
@@ -101,7 +101,7 @@ bool same_parts(const Component& a, const Component& b) {
            all_same(a.references, b.references) && std::ranges::equal(a.order, b.order, same_place);
 }
 
-/// If both declarations have this class, compares them.
+/// Casts both declarations to this class. A pointer is null if its declaration has another class.
 template <class Kind>
 std::pair<const Kind*, const Kind*> cast_both(const Declaration& a, const Declaration& b) {
     return {dynamic_cast<const Kind*>(&a), dynamic_cast<const Kind*>(&b)};

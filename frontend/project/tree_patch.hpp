@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replaces the contents of a file's tree while the addresses to which other files point stay valid (private to the
+// Replaces the contents of a file's tree so that pointers from other files into the tree stay valid (private to the
 // front end).
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace robochart::frontend {
 
-/// The parts of a file that other files can see, as text: everything except nodes and transitions (which only
-/// assertions see), and the facts recorded about its syntax errors. If the texts of two trees are equal, the trees
-/// differ for other files only in the places of declarations.
+/// Returns the parts of a file that are visible in other files, as text: everything except nodes and transitions (which
+/// are visible only in assertions), and the recorded facts about syntax errors. If two trees have equal texts, the only
+/// differences visible in other files are the places of declarations.
 [[nodiscard]] std::string outside_of(File& file);
 
 /// True if both trees have the same declarations in the same order.

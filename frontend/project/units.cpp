@@ -33,7 +33,7 @@ private:
     std::vector<std::size_t> parents_;
 };
 
-/// The words that begin a name and are followed by `::`.
+/// Returns the words that begin a name and are followed by `::`.
 std::set<std::string> first_parts(const std::string& text) {
     std::set<std::string> result;
     for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at + 2)) {
@@ -89,8 +89,8 @@ private:
         return {file.package.text(), std::string(declaration.name), declaration.kind};
     }
 
-    /// Ties the file to the nearest of the other files. If several are equally near, it is ambiguous which is meant,
-    /// and it is tied to all of them.
+    /// Ties the file to the nearest of the other files. If several are equally near, the reference is ambiguous, and
+    /// the file is tied to all of them.
     void tie_nearest(std::size_t file, const std::vector<std::size_t>& others) {
         std::size_t near = 0;
         for (const std::size_t other : others)
@@ -106,9 +106,10 @@ private:
         tied_.insert(b);
     }
 
-    /// Ties files of the same package that are in one folder, or if the folder of one contains the folder of the other.
+    /// Ties files of the same package if they are in one folder, or if the folder of one contains the folder of the
+    /// other.
     void same_package(const std::vector<std::size_t>& files) {
-        std::map<std::string, std::size_t, std::less<>> first;  // by folder
+        std::map<std::string, std::size_t, std::less<>> first;  // the first file of each folder
         for (const std::size_t file : files) first.emplace(model_.files[file]->folder, file);
         for (const std::size_t file : files) {
             const std::string_view folder = model_.files[file]->folder;
@@ -143,7 +144,8 @@ private:
         }
     }
 
-    /// Names in a block are not resolved, so the file is tied to the nearest files that declare the names.
+    /// Ties a file to the files to which its csp blocks refer. Names in a block are not resolved, so these are the
+    /// nearest files that declare the names.
     void tie_blocks(std::size_t file) {
         for (const CspBlock& block : model_.files[file]->csp_blocks)
             for (const std::string& name : first_parts(block.text)) {
@@ -153,7 +155,8 @@ private:
             }
     }
 
-    /// Text that could not be parsed may contain declarations that neighbouring files need.
+    /// Ties a file with syntax errors to its neighbours, because the text that could not be parsed may contain
+    /// declarations that they need.
     void tie_broken_file(std::size_t file) {
         if (!model_.files[file]->has_syntax_errors) return;
         std::vector<std::size_t> others;
@@ -186,7 +189,7 @@ private:
 
 namespace {
 
-/// The instantiations of an assertion file as text; "" if it has none.
+/// Returns the instantiations of an assertion file as text, or "" if it has none.
 std::string instantiation_text(const File& file) {
     std::string result;
     for (const CspBlock& block : file.csp_blocks)

@@ -35,8 +35,8 @@ const Context* platform_of(const Declaration* whole, const std::string& name) {
 
 namespace {
 
-/// The component of a module or controller with this name. The name is that of the component or, if none matches, the
-/// simple name of the definition to which a reference refers.
+/// Returns the component with this name in a module or controller. If there is none, the result is the reference to a
+/// definition with this simple name, if only one exists.
 const Declaration* part_of(const Declaration* whole, const std::string& name) {
     const auto* component = follow_to<Component>(whole);
     if (component == nullptr) return nullptr;
@@ -53,7 +53,7 @@ const Declaration* part_of(const Declaration* whole, const std::string& name) {
     return by_definition;
 }
 
-/// The only component of this name and dialect in any package.
+/// Returns the only component of this name and dialect in any package.
 const Declaration* in_some_package(const Model& model, const std::string& name, Dialect dialect) {
     const Declaration* found = nullptr;
     for (const auto& file : model.files) {

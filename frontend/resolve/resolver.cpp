@@ -70,7 +70,7 @@ void Resolver::context_header(File& file, Context& context) {
         if (*registers) context_header(file, **registers);
     for (InterfaceClause& clause : context.interfaces)
         clause.target = finder_.find({&file, &context}, clause.name, {DeclKind::interface}, "interface");
-    // Sizes of vectors may name constants of the context itself.
+    // The size of a vector may be a constant of the context itself.
     const Scope scope = scope_of(context);
     Surroundings around{{&file, &context}, &scope, nullptr, nullptr, {}};
     // Constants are resolved first, because the types of other variables may use them as sizes.

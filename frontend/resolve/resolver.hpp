@@ -11,7 +11,8 @@ public:
     Resolver(Model& model, Finder& finder) : model_(model), finder_(finder), typer_(finder) {}
     void run();
 
-    // Resolution in steps: first the headers of all files, then the bodies, then the assertions.
+    // Resolves headers and bodies. The caller resolves first the headers of all files, then the bodies, then the
+    // assertions.
     void resolve_headers(File& file) { visit_declarations(file, &Resolver::resolve_header); }
     void resolve_bodies(File& file) { visit_declarations(file, &Resolver::resolve_body); }
     void resolve_all_assertions();
@@ -34,14 +35,15 @@ private:
     void context_body(File& file, Context& context);
     void machine_body(Machine& machine, Surroundings& around);
     void resolve_container(NodeContainer& container, const Machine& machine, Surroundings& around);
-    /// The nodes of a container by name; if a name is declared twice, the first one.
+    /// The nodes of a container by name. If a name is declared twice, the map contains the first node.
     using NodeNames = std::map<std::string_view, const State*>;
     void resolve_transition(Transition& transition, const NodeNames& names, const Machine& machine,
                             Surroundings& around);
     const State* find_node(const QualifiedName& name, const Transition& transition, std::string_view role,
                            const NodeNames& names, const Machine& machine);
     void resolve_connections(Component& component);
-    /// The components of a component by name, and the scopes computed so far. The order of pointers is never used.
+    /// The components of a module or controller by name, and the scopes computed so far. The order of pointers is never
+    /// used.
     struct Ends {
         const Component& component;
         std::map<std::string_view, const Declaration*> parts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertions and csp blocks (assertion language 4). Component names are paths through references, such as
-// `Module::controller_ref::machine_ref::State`. If a CSP block has the same name, the name refers to the block.
+// Resolves assertions and csp blocks (assertion language 4). Component names are paths through references, such as
+// `Module::controller_ref::machine_ref::State`. If a CSP block and a component have the same name, the name refers to
+// the block.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -77,8 +78,8 @@ private:
 
 // ---------------------------------------------------------------- paths
 
-/// The block of this name in the same file, or otherwise in another file. Names of blocks are local to a file, so
-/// several files may have one of this name.
+/// Returns the block of this name in the same file or, if there is none, in another file. Names of blocks are local to
+/// a file, so several files may have one of this name.
 const CspBlock* AssertionResolver::find_process(const std::string& name) const {
     const auto in = [&](const File& file) {
         const auto found =
@@ -100,7 +101,7 @@ ComponentPath AssertionResolver::find_component(const QualifiedName& name, bool 
     return {};
 }
 
-/// The component to which a constant belongs. A platform is represented by its module.
+/// Returns the component to which a constant belongs. A platform is represented by its module.
 ComponentPath AssertionResolver::find_context(const QualifiedName& name) {
     Way found = way_to(name);
     const bool all_but_one = found.used + 1 == name.parts.size() && found.used > 0;
@@ -118,7 +119,7 @@ std::vector<std::string> AssertionResolver::known_names() const {
     return names;
 }
 
-/// The existing names, for a message; empty if there are too many to list.
+/// Lists the existing names for a message. The result is empty if there are too many.
 std::string list_alternatives(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
     diagnostics::sort_unique(names);
@@ -174,8 +175,8 @@ void AssertionResolver::unknown_part(const QualifiedName& name, const Way& way) 
 
 // ---------------------------------------------------------------- states and clocks
 
-/// The name may be relative to the subject, a full path through the subject, or a path through the definition of one of
-/// its components.
+/// Finds the state of an assertion. Its name may be relative to the subject, a full path through the subject, or a path
+/// through the definition of one of the subject's components.
 bool AssertionResolver::find_state(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
     const auto take = [&](const ComponentPath& path, std::size_t used) {
@@ -241,7 +242,7 @@ void AssertionResolver::resolve_reachable(Assertion& assertion) {
         finding.fixes.push_back({assertion.other.span, paths.front(), diagnostics::suggestion_verb(false)});
 }
 
-/// `clock X::S::C is initialised`
+/// Resolves `clock X::S::C is initialised`.
 void AssertionResolver::resolve_clock(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
     const Way found = way_to(name);
@@ -278,7 +279,8 @@ void AssertionResolver::unknown_place(const Assertion& assertion, const Way& way
     suggest_state(*machine, name, finding);
 }
 
-/// `event E is missed in S`: S is the path of a machine or of a state of the machine; E is an event of the machine.
+/// Resolves `event E is missed in S`. S is the path of a machine or of one of its states, and E is an event of the
+/// machine.
 void AssertionResolver::missed_event(Assertion& assertion) {
     const QualifiedName& name = assertion.other;
     const Way found = way_to(name);
@@ -411,7 +413,7 @@ void AssertionResolver::report_open(const Assertion& assertion, const ComponentP
 
 // ---------------------------------------------------------------- assertions
 
-/// The subject is a component of RoboChart, even if RoboSim has one of the same name.
+/// Resolves a simulation. Its subject is a RoboChart component, even if a RoboSim component has the same name.
 void AssertionResolver::resolve_simulation(Simulation& simulation) {
     Way found = component_way(model_, finder_.names(), *file_, simulation.subject, Dialect::robochart);
     if (found.used == simulation.subject.parts.size())
@@ -425,8 +427,8 @@ void AssertionResolver::resolve_simulation(Simulation& simulation) {
             .notes.push_back({block->name_span, "the block is declared here"});
 }
 
-/// A claim is about components of the dialect of its file. A claim in a RoboSim file cannot name a RoboChart component
-/// directly. It compares with a simulation of that component.
+/// Reports a component of the other dialect. A claim in a RoboSim file cannot name a RoboChart component directly, but
+/// it can name a simulation of this component.
 void AssertionResolver::check_dialect(const ComponentPath& path, const QualifiedName& name) {
     const auto* component =
         path.steps.empty() ? nullptr : dynamic_cast<const Context*>(follow_reference(path.steps.back()));
@@ -456,7 +458,8 @@ void AssertionResolver::check_block(const CspBlock& block) {
     }
 }
 
-/// `end` is where the name of the component ends.
+/// Reports an event that is hidden outside of the component. `end` is the offset at which the name of the component
+/// ends.
 void AssertionResolver::check_hidden(const CspBlock& block, std::size_t end, std::string_view event) {
     std::size_t begin = end;
     while (begin > 0 && (diagnostics::continues_name(block.text[begin - 1]) || block.text[begin - 1] == ':')) --begin;

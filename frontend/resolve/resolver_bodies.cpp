@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies: initial values, contracts, nodes, transitions, connections, parameters of assertions.
+// Resolves bodies: initial values, contracts, nodes, transitions, connections and parameters of assertions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,7 +90,8 @@ void Resolver::resolve_transition(Transition& transition, const NodeNames& names
     if (transition.action) typer_.check_statement(*transition.action, around);
 }
 
-/// A node of the transition's own container (T1). If the node is elsewhere, the message says where.
+/// Returns the node with this name in the transition's own container (T1). If the node is elsewhere, the message says
+/// where.
 const State* Resolver::find_node(const QualifiedName& name, const Transition& transition, std::string_view role,
                                  const NodeNames& names, const Machine& machine) {
     if (name.empty()) return nullptr;

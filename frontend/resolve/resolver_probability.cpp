@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names in probabilistic assertions: states, variables, constants and events of the model by their paths, literals, and
-// definitions of assertion files. A definition is looked up in the same file first, then in all others.
+// Resolves the names in probabilistic assertions: paths of states, variables, constants and events of the model,
+// literals, and definitions of assertion files. A definition is looked up in the same file first, then in all others.
 #include <algorithm>
 #include <functional>
 
@@ -12,12 +12,12 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The declaration that a name refers to, with the candidates that were possible in its place.
+/// The declaration that a name refers to, with the names that would have been possible.
 struct Found {
     const Declaration* target = nullptr;
     std::string where;
     std::vector<std::string> candidates;
-    bool unknowable = false;  ///< inside a construct that is not resolved
+    bool unknowable = false;  ///< true for a name inside a construct that is not resolved
 };
 
 /// A machine or state, with its inner states.
@@ -65,7 +65,7 @@ private:
     [[nodiscard]] const Declaration* find_literal(const QualifiedName& name) const;
     [[nodiscard]] Found find_constant(const QualifiedName& name) const;
     [[nodiscard]] Region find_region(const QualifiedName& name) const;
-    /// Calls `visit` for every definition of the kind; those of the same file come first.
+    /// Calls `visit` for every definition of the kind, first for those of the same file.
     void each_definition(ProbabilisticKind kind,
                          const std::function<void(const ProbabilisticDefinition&)>& visit) const;
     [[nodiscard]] Way way_to(const QualifiedName& name) const {
@@ -96,8 +96,8 @@ void ProbabilityResolver::each_definition(ProbabilisticKind kind,
         if (file.get() != file_) of(*file);
 }
 
-/// A variable, constant or event of a component: the last part of a path. The path may lead through the platform of a
-/// module.
+/// Returns the variable, constant or event of a component that the last part of the path names. The path may lead
+/// through the platform of a module.
 Found ProbabilityResolver::find_member(const QualifiedName& name, bool events) const {
     const Way found = way_to(name);
     const std::size_t left = name.parts.size() - found.used;
@@ -118,7 +118,7 @@ Found ProbabilityResolver::find_member(const QualifiedName& name, bool events) c
     return find_among(variables, name.parts.back(), place_inside(*owner));
 }
 
-/// `E::l`; the enumeration may be in any package.
+/// Returns the literal for `E::l`. The enumeration E may be in any package.
 const Declaration* ProbabilityResolver::find_literal(const QualifiedName& name) const {
     const Kinds literals = {DeclKind::enum_literal};
     if (const Declaration* found = finder_.names().find({file_, nullptr}, name, literals)) return found;
@@ -129,7 +129,7 @@ const Declaration* ProbabilityResolver::find_literal(const QualifiedName& name) 
     return enumeration != nullptr ? find_among(enumeration->literals, name.parts.back(), "").target : nullptr;
 }
 
-/// `const t : T` of an assertion file.
+/// Returns the constant that an assertion file declares with `const t : T`.
 Found ProbabilityResolver::find_constant(const QualifiedName& name) const {
     std::vector<const Variable*> constants;
     each_definition(ProbabilisticKind::constant, [&](const ProbabilisticDefinition& definition) {
@@ -138,7 +138,7 @@ Found ProbabilityResolver::find_constant(const QualifiedName& name) const {
     return find_among(constants, name.parts.back(), "in the assertion files");
 }
 
-/// The machine or state that a name refers to.
+/// Returns the machine or state that a name refers to.
 Region ProbabilityResolver::find_region(const QualifiedName& name) const {
     const Way found = way_to(name);
     const auto* machine = found.used > 0 ? follow_to<Machine>(found.end()) : nullptr;
@@ -182,7 +182,7 @@ void ProbabilityResolver::resolve_event(Expr& expr) {
         finder_.report_unknown(expr.name, "event", found.where, found.candidates);
 }
 
-/// `M is in S`: S is a full path, or a path relative to M.
+/// Resolves `M is in S`. S is a full path, or a path relative to M.
 void ProbabilityResolver::in_state(Expr& expr) {
     const Region machine = find_region(expr.name);
     Expr& state = *expr.args.front();
@@ -202,7 +202,7 @@ void ProbabilityResolver::in_state(Expr& expr) {
     finder_.report_unknown(state.name, "state", place_inside(*expr.target), candidates);
 }
 
-/// Resolves a definition of assertion files; an unknown name is reported.
+/// Resolves the name of a definition of assertion files, and reports an unknown name.
 void ProbabilityResolver::resolve_definition_name(const QualifiedName& name, ProbabilisticKind kind,
                                                   std::string_view what) {
     std::vector<std::string> candidates;
@@ -211,7 +211,7 @@ void ProbabilityResolver::resolve_definition_name(const QualifiedName& name, Pro
         finder_.report_unknown(name, what, "in the assertion files", candidates);
 }
 
-/// `@x` of the enclosing module, `@M::N::x` or `@N::x`.
+/// Returns the variable for `@M::N::x` or `@N::x`, or for `@x` of the enclosing module.
 const Declaration* ProbabilityResolver::module_variable(const QualifiedName& name) {
     std::vector<const Variable*> variables;
     const auto add = [&](const ProbabilisticModule& module) {

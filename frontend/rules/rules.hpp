@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule table of the resolved model: names, well-formedness and types (language reference 2). Codes are the
-// published ones if they exist; codes of this project begin with RC-. Two rows may share a code if they report the same
-// rule in different circumstances.
+// Lists the rules about the resolved model: names, well-formedness and types (language reference 2). Rules that are
+// published have their published codes; the codes of this project begin with RC-. Two rows may share a code if they
+// report the same rule in different circumstances.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

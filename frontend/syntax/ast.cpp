@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The few functions of the tree itself.
+// Implements the few functions of the tree itself.
 #include "frontend/syntax/ast.hpp"
 
 #include <algorithm>

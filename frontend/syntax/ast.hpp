@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax tree of RoboChart text (`.rct`) and assertion text (`.assertions`), after the public grammars
-// RoboChart.xtext and Assertions.xtext, and of their RoboSim dialect (`.rst`, `.rsa`), after RoboSim.xtext. The parser
-// fills the syntactic fields; name resolution fills `target`s and typing fills `type`s ("filled by resolve/typing"
-// below).
+// Defines the syntax tree of RoboChart text (`.rct`) and assertion text (`.assertions`), after the public grammars
+// RoboChart.xtext and Assertions.xtext. The tree also represents their RoboSim dialect (`.rst`, `.rsa`), after
+// RoboSim.xtext. The parser fills the syntactic fields. Name resolution fills `target`s and typing fills `type`s
+// ("filled by resolve" and "filled by typing" below).
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct QualifiedName {
 
 // ---------------------------------------------------------------- types as written
 
-/// The forms of written types.
+/// The forms of types in the source text.
 enum class TypeKind {
     name,      ///< qualified name; `target` is a TypeDeclaration or a built-in
     variable,  ///< ?X
@@ -50,7 +50,7 @@ enum class TypeKind {
 struct Expr;
 using ExprPtr = std::unique_ptr<Expr>;
 
-/// A type as written.
+/// A type in the source text.
 struct TypeExpr {
     TypeKind kind = TypeKind::name;
     Span span;
@@ -145,12 +145,12 @@ enum class PathOp { eventually, globally, next, until, weak_until, release, reac
 /// `v:T`, `v == e` or `f = e` in quantifiers, let, comprehensions and record literals.
 struct Binding;
 
-/// An expression as written. Resolution fills in the declarations of its names, typing its type.
+/// An expression in the source text. Resolution fills in the declarations of its names, and typing fills in its type.
 struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;
-    std::string text;    ///< literal as written; member name
-    QualifiedName name;  ///< the name of a member is a field's name
+    std::string text;    ///< the source text of a literal, or the name of a member
+    QualifiedName name;  ///< also the field that `text` names, for a member
     std::optional<BinaryOp> binary;
     std::optional<UnaryOp> unary;
     std::optional<PathOp> path;
@@ -161,7 +161,7 @@ struct Expr {
     bool lower_closed = true;  ///< range
     bool upper_closed = true;
     std::size_t columns = 0;   ///< matrix
-    std::uint32_t height = 1;  ///< the height of this tree; the parser bounds it, so recursion is safe
+    std::uint32_t height = 1;  ///< the height of this tree; the parser limits it, so recursion is safe
 
     const Declaration* target = nullptr;  ///< filled by resolve
     TypePtr type;                         ///< filled by typing; null if it could not be computed
@@ -178,7 +178,7 @@ struct Communication {
     Span span;
     bool through_register = false;  ///< RoboSim: written `$e`
     QualifiedName event;
-    QualifiedName variable;                        ///< input: the variable stored into
+    QualifiedName variable;                        ///< input: the variable that stores the value
     ExprPtr value;                                 ///< output, sync
     QualifiedName from_variable;                   ///< [| x = from ... |]
     ExprPtr predicate;                             ///< [| pred |]
@@ -207,7 +207,7 @@ enum class StmtKind {
 struct Stmt;
 using StmtPtr = std::unique_ptr<Stmt>;
 
-/// A statement as written.
+/// A statement in the source text.
 struct Stmt {
     StmtKind kind = StmtKind::error;
     Span span;
@@ -369,7 +369,7 @@ struct NodeContainer {
     std::vector<std::unique_ptr<Transition>> transitions;
 };
 
-/// When a state runs an action.
+/// The time at which a state runs an action.
 enum class ActionKind { entry, during, exit };
 /// An action of a state.
 struct Action {
@@ -384,7 +384,7 @@ struct State final : Declaration, NodeContainer {
     std::vector<Action> actions;  ///< states only
 };
 
-/// A transition between two nodes, which it names.
+/// A transition. It names its source and its target.
 struct Transition final : Declaration {
     Transition() : Declaration(DeclKind::transition) {}
     QualifiedName from, to;
@@ -392,7 +392,7 @@ struct Transition final : Declaration {
     const State* target = nullptr;  ///< filled by resolve
     std::unique_ptr<Communication> trigger;
     bool exec = false;            ///< RoboSim: the transition ends the cycle
-    bool legacy_trigger = false;  ///< `trigger` without event, or clock reset inside it
+    bool legacy_trigger = false;  ///< `trigger` without event, or with a clock reset inside it
     ExprPtr probability;
     struct Reset {
         QualifiedName name;
@@ -481,12 +481,12 @@ enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
 struct CspBlock;
 
-/// The target of a component name: the declarations on the path to it. A simulation is the only step of its path. A
-/// step that is a reference is stored as the Reference, so that the names of the steps form the path
-/// `M::ctrl_ref::stm_ref`; `Reference::target` leads to the definition.
+/// The component that a name denotes, as the path of declarations that leads to it. A path to a simulation contains
+/// only the simulation. If a step is a reference, the path contains the Reference and not its definition, so that the
+/// names of the steps form `M::ctrl_ref::stm_ref`. `Reference::target` leads to the definition.
 struct ComponentPath {
     std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a CSP process
-    const CspBlock* process = nullptr;      ///< set if the name is that of a csp block
+    const CspBlock* process = nullptr;      ///< the csp block, if the name denotes one
 };
 
 /// The kind of element to which an assertion gives a value.
@@ -506,7 +506,7 @@ struct AssertionParameter {
     const Declaration* target = nullptr;  ///< filled by resolve: Variable
 };
 
-/// An assertion as written.
+/// An assertion in the source text.
 struct Assertion final {
     std::string name;
     Span name_span, span;
@@ -521,17 +521,17 @@ struct Assertion final {
     std::optional<AssertionModel> model;
     std::vector<AssertionParameter> parameters;
     ComponentPath subject_path;  ///< filled by resolve; of the component X
-    /// Filled by resolve. refines, equals: Y; reachable: the machine with the state, through the subject;
-    /// clock_initialised: the machine with the clock; event_missed: the machine.
+    /// Filled by resolve. For refines and equals: the component Y. For reachable: the path through the subject to the
+    /// machine with the state. For clock_initialised: the machine with the clock. For event_missed: the machine.
     ComponentPath other_path;
-    const State* state = nullptr;   ///< filled by resolve: reachable, event_missed; null in event_missed: the whole
+    const State* state = nullptr;   ///< filled by resolve: reachable, event_missed; null in event_missed: whole
                                     ///< machine
     const Clock* clock = nullptr;   ///< filled by resolve: clock_initialised
     const Event* missed = nullptr;  ///< filled by resolve: event_missed
 };
 
-/// RoboSim: `simulation N of M { cycleDef e input context {…} output context {…} }` names the RoboChart component M,
-/// run in cycles. The contexts are given if M is a machine.
+/// RoboSim: `simulation N of M { cycleDef e input context {…} output context {…} }`, where N names the RoboChart
+/// component M, run in cycles. The contexts are present if M is a machine.
 struct Simulation final : Context {
     Simulation() : Context(DeclKind::simulation) {}
     QualifiedName subject;
@@ -560,10 +560,10 @@ struct ConstantValues {
     ExprPtr value;
 };
 
-/// The reward of a state, or, after `[event]` or `[]`, of a step.
+/// The reward of a state or of a step. The item of a step begins with `[event]` or `[]`.
 struct RewardItem {
     bool of_step = false;
-    ExprPtr event;  ///< null: of a state, or of a step without event
+    ExprPtr event;  ///< null: reward of a state, or of a step without event
     ExprPtr guard;
     ExprPtr value;
 };
@@ -608,7 +608,7 @@ struct ProbabilisticFunction {
 /// The kind of a probabilistic definition.
 enum class ProbabilisticKind { constant, constants, label, formula, rewards, definitions, modules };
 
-/// A definition that properties refer to. The kind determines which members are used.
+/// A definition to which properties refer. The kind determines which members are used.
 struct ProbabilisticDefinition {
     ProbabilisticKind kind = ProbabilisticKind::constant;
     std::string name;
@@ -622,7 +622,7 @@ struct ProbabilisticDefinition {
     bool broken = false;  ///< contains a syntax error, so parts may be missing
 };
 
-/// `with constants C`, or with an inline definition in place of C.
+/// `with constants C`, or an inline definition in the place of C.
 struct ProbabilisticClause {
     QualifiedName name;                  ///< empty: defined inline
     ProbabilisticDefinition definition;  ///< its kind is that of the clause
@@ -648,9 +648,9 @@ struct ProbabilisticAssertion {
 
 // ---------------------------------------------------------------- files
 
-/// A part of an assertion file that is stored as text and not evaluated, with its head.
+/// A part of an assertion file that is stored as text and not evaluated.
 struct KeptPart {
-    std::string form;  ///< the words at its beginning: `prob property`, `sleec assertion`, `defs`
+    std::string form;  ///< the words at the beginning of the part: `prob property`, `sleec assertion`, `defs`
     std::string name;
     Span span;            ///< the place of the form and the name
     bool claims = false;  ///< true: another tool checks a claim; false: a definition for probabilistic assertions
@@ -676,14 +676,14 @@ struct File {
     std::vector<std::unique_ptr<Simulation>> simulations;
     std::vector<ProbabilisticDefinition> probabilistic_definitions;
     std::vector<ProbabilisticAssertion> probabilistic_assertions;
-    std::vector<KeptPart> kept;           ///< parts of other tools
-    bool is_library = false;              ///< a toolkit that comes with the tool
+    std::vector<KeptPart> kept;           ///< parts for other tools
+    bool is_library = false;              ///< a toolkit, which is part of this program
     bool has_syntax_errors = false;       ///< parts may be missing, so rules about absent elements are not applied
-    std::vector<std::string> lost_names;  ///< names in text that could not be parsed
+    std::vector<std::string> lost_names;  ///< names that occur in text that could not be parsed
     bool lost_declarations = false;       ///< a declaration of unknown name could not be parsed
 };
 
-/// A project: all its files and libraries, which are resolved together.
+/// A project: all its files, and the libraries that they use. They are resolved together.
 struct Model {
     std::vector<std::unique_ptr<File>> files;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two dialects of model and assertion files. RoboSim extends RoboChart: its machines read registers, run, write
-// and wait for a cycle. The extension of a file determines its dialect.
+// Distinguishes the two dialects of model and assertion files. RoboSim extends RoboChart: in each cycle, its machines
+// read registers, run, write registers, and wait for the end of the cycle. The extension of a file determines its
+// dialect.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,9 @@ enum class Dialect : std::uint8_t {
     robosim,    ///< `.rst`, `.rsa`
 };
 
-/// The dialect of a file: RoboSim for `.rst` and `.rsa`, RoboChart for every other name.
+/// Returns the dialect of a file: RoboSim for `.rst` and `.rsa`, RoboChart for every other name.
 [[nodiscard]] Dialect dialect_of(std::string_view path);
-/// The name of the dialect in messages.
+/// Returns the name of the dialect in messages.
 [[nodiscard]] std::string_view to_text(Dialect dialect);
 
 /// True for `.rct` and `.rst`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pre-order traversal of expressions, statements and nodes.
+// Traverses expressions, statements and nodes in pre-order.
 #include "frontend/syntax/expression_visitor.hpp"
 
 namespace robochart::frontend {

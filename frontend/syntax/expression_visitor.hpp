@@ -16,8 +16,8 @@ void for_children(const Expr& expr, const std::function<void(const Expr&)>& visi
 void walk_tree(const Stmt& statement, const std::function<void(const Stmt&)>& visit);
 /// Calls `visit` for the expressions of a statement, without those of the statements inside it.
 void for_expressions(const Stmt& statement, const std::function<void(const Expr&)>& visit);
-/// Calls `visit` for every container of a machine: the machine first, then composite states from outside in, in textual
-/// order.
+/// Calls `visit` for every container of a machine: first the machine, then composite states from the outermost to the
+/// innermost, in textual order.
 void walk_tree(const NodeContainer& top, const std::function<void(const NodeContainer&)>& visit);
 /// Calls `visit` for every action of the states and transitions of a machine.
 void for_actions(const NodeContainer& top, const std::function<void(const Stmt&)>& visit);

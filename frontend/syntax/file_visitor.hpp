@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A traversal of all parts of a file that have names or that resolution fills. The visitor has an overload of `visit`
-// for every kind of node; it is called before the parts of the node. The recursion is bounded, because the parser
-// limits nesting.
+// Traverses all parts of a file that have names or that resolution fills. The visitor has an overload of `visit` for
+// every kind of node. A node is visited before its parts. The recursion is bounded, because the parser limits nesting.
 #pragma once
 
 #include "frontend/syntax/ast.hpp"
@@ -13,7 +12,8 @@ class Traversal {
 public:
     explicit Traversal(Visitor& visitor) : visitor_(visitor) {}
 
-    /// `File` is `File` or `const File`; values inside vectors are visited with the same constness.
+    /// Visits all parts of a file. `AnyFile` is `File` or `const File`, and all nodes are visited with the same
+    /// constness.
     template <class AnyFile>
     void visit_file(AnyFile& file) {
         for (auto& import : file.imports) visitor_.visit(import);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of other notations (UML and SCXML, Stateflow, UPPAAL, PRISM, programming languages) that authors use in models,
-// with RoboChart's equivalents. The parser and name resolution share one table of words. The parser has a second table,
-// of forms that consist of several words.
+// Lists words of other notations (UML and SCXML, Stateflow, UPPAAL, PRISM, programming languages) that authors use in
+// models, with RoboChart's equivalents. The parser and name resolution share one table of words. The parser uses a
+// second table for forms that consist of several words.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ enum class ForeignPlace {
     clause,       ///< begins a clause of a transition
     statement,    ///< begins a statement and is followed by another word
     if_end,       ///< ends an `if`
-    infix,        ///< is between two expressions
+    infix,        ///< occurs between two expressions
     type,         ///< names a type
     value,        ///< names a value
     operation,    ///< names an operation that is called
@@ -32,21 +32,22 @@ enum class ForeignPlace {
 struct ForeignWord {
     std::string_view word;
     ForeignPlace place;
-    /// The equivalent: a word of the grammar or of package core. It is "" if there is no single word; the reason then
-    /// explains what to write.
+    /// The equivalent: a word of the grammar or of package core. If there is no single equivalent word, it is "", and
+    /// the reason explains what to write.
     std::string_view instead;
-    std::string_view reason;  ///< a sentence without a full stop
+    std::string_view reason;  ///< why the word is wrong: a sentence without a full stop
     bool left_out = false;    ///< the text is correct without the word
 };
 
-/// The row for a word at a place; null if there is none.
+/// Returns the row for a word at a place, or null if there is none.
 [[nodiscard]] const ForeignWord* foreign_word(std::string_view word, ForeignPlace place);
-/// All rows, for tests.
+/// Returns all rows, for tests.
 [[nodiscard]] std::span<const ForeignWord> foreign_words();
 
-/// The advice that is added to a syntax error if the text has a form of another notation, or an incomplete form.
+/// Returns the advice that is added to a syntax error if the text has a form of another notation, or an incomplete
+/// form.
 [[nodiscard]] std::span<const diagnostics::Advice> foreign_forms();
-/// The token at an index, for tables of advice; the end token if the index is outside the text.
+/// Returns the token at an index, for tables of advice. If the index is outside the text, the result is the end token.
 [[nodiscard]] diagnostics::AdviceWord advice_word(const TokenList&, std::ptrdiff_t index);
 
 }  // namespace robochart::frontend

@@ -77,7 +77,7 @@ std::string shorten_token(std::string_view text) {
 
 namespace {
 
-// Longest first.
+// The operators and brackets, longest first.
 constexpr std::array<std::string_view, 46> symbols = {
     "<->", "::", "->", "<{", "=>", "==", "!=", ">=", "<=", "\\/", "/\\", "(|", "|)", "[|", "|]", "&&",
     "||",  "{",  "}",  "(",  ")",  "[",  "]",  "<",  ">",  "=",   ":",   ";",  ",",  ".",  "?",  "!",
@@ -89,7 +89,7 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// All texts of a corrected token: the reserved words of both dialects, and the symbols.
+/// Returns all texts that a corrected token may have: the reserved words of both dialects, and the symbols.
 const std::vector<std::string_view>& known_texts() {
     static const std::vector<std::string_view> texts = [] {
         std::vector<std::string_view> all = reserved_words();
@@ -142,7 +142,7 @@ void Lexer::add(TokenKind kind, std::size_t begin, bool escaped) {
     last_end_ = std::max(at_, begin + 1);
 }
 
-/// A NUL byte never occurs in text, so the whole file gets one message.
+/// Rejects a file with a NUL byte, which never occurs in text. The whole file gets one message.
 bool Lexer::refuse_binary() {
     const std::size_t nul = text_.find('\0');
     if (nul == std::string_view::npos) return false;
@@ -197,7 +197,7 @@ void Lexer::check_integer(std::size_t begin) {
     if (result.ec != std::errc()) out_.report(syntax::huge_integer, span_from(begin), {shorten_token(digits)});
 }
 
-/// Reals are stored exactly, as decimals of at most 18 digits.
+/// Reports a real with too many digits. Reals are stored exactly, as decimals of at most 18 digits.
 void Lexer::check_real(std::size_t begin) {
     std::string_view digits = text_from(begin);
     const std::size_t leading = std::min(digits.find_first_not_of('0'), digits.find('.'));
@@ -243,7 +243,7 @@ bool Lexer::read_symbol() {
     return true;
 }
 
-/// Reads a mathematical sign such as ≤ as RoboChart's equivalent, and reports it.
+/// Reports a mathematical sign such as ≤ and reads it as RoboChart's equivalent.
 bool Lexer::read_mathematical_sign() {
     struct Sign {
         std::string_view written;
@@ -270,8 +270,8 @@ bool Lexer::read_mathematical_sign() {
     return true;
 }
 
-/// Consecutive bytes that begin no token are reported as one mistake. If they are inside a name, the mistake includes
-/// the rest of the name.
+/// Skips consecutive bytes that begin no token, and reports them as one mistake. If they are inside a name, the mistake
+/// includes the rest of the name.
 void Lexer::skip_unexpected() {
     const std::size_t begin = at_;
     const auto strange = [](char c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tokens of RoboChart and assertion text, after Xtext's common terminals (ID, INT, STRING, comments) and
+// Splits RoboChart and assertion text into tokens, after Xtext's common terminals (ID, INT, STRING, comments) and
 // RoboChart.xtext.
 #pragma once
 
@@ -30,7 +30,7 @@ enum class TokenKind : std::uint8_t {
     csp_code,  ///< `csp-begin … csp-end`, whole (assertion files)
 };
 
-/// One token. `text` is a view of the source; an escaped name (`^end`) has no `^` in it.
+/// One token. `text` is a view of the source. The text of an escaped name (`^end`) does not contain the `^`.
 struct Token {
     TokenKind kind = TokenKind::end;
     bool escaped = false;  ///< written with `^`
@@ -43,7 +43,7 @@ struct Token {
     }
 };
 
-/// The tokens of one text, packed into twelve bytes each; a Token is made on request. The source text must outlive the
+/// The tokens of one text, packed into twelve bytes each. A Token is made on request. The source text must outlive the
 /// object.
 class TokenList {
 public:
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] Token operator[](std::size_t index) const;
     [[nodiscard]] Token token_at(std::size_t index) const { return (*this)[std::min(index, size() - 1)]; }
     [[nodiscard]] Token last_token() const { return (*this)[size() - 1]; }
-    /// The kind, without reading the text.
+    /// Returns the kind, without reading the text.
     [[nodiscard]] TokenKind kind(std::size_t index) const { return items_[index].kind; }
 
     void add(TokenKind kind, diagnostics::Span span, bool escaped, bool first_on_line);
@@ -104,7 +104,7 @@ private:
     std::deque<Packed> items_;  ///< a deque, because it never copies a long text to grow
 };
 
-/// A text as tokens; the last token is `end`. The places of comments are stored for the formatter.
+/// The tokens of a text, and the places of its comments for the formatter. The last token is `end`.
 struct TokenStream {
     TokenList tokens;
     std::vector<diagnostics::Span> comments;
@@ -119,18 +119,19 @@ inline constexpr std::size_t max_tokens = 16'000'000;
 
 /// True if this is a reserved word of RoboChart.
 [[nodiscard]] bool is_reserved(std::string_view word);
-/// The reserved words of RoboChart, sorted.
+/// Returns the reserved words of RoboChart, sorted.
 [[nodiscard]] const std::vector<std::string_view>& reserved_words();
-/// The words that RoboSim reserves in addition, sorted.
+/// Returns the words that RoboSim reserves in addition, sorted.
 [[nodiscard]] std::span<const std::string_view> robosim_words();
 /// True if the word is reserved in the dialect.
 [[nodiscard]] bool is_reserved(std::string_view word, Dialect dialect);
-/// Words that assertion text reserves in some places, in addition to the reserved words (Assertions.xtext), sorted.
+/// Returns the words that assertion text reserves in some places, in addition to the reserved words (Assertions.xtext),
+/// sorted.
 [[nodiscard]] std::span<const std::string_view> assertion_words();
-/// The operators and brackets, longest first; those at the end are used only in probabilistic assertions.
+/// Returns the operators and brackets, longest first. Those at the end are used only in probabilistic assertions.
 [[nodiscard]] std::span<const std::string_view> symbol_words();
 
-/// Shortens a piece of source text for a message: one line, at most 40 characters.
+/// Shortens a piece of source text to one line of at most 40 characters, for a message.
 [[nodiscard]] std::string shorten_token(std::string_view text);
 
 }  // namespace robochart::frontend

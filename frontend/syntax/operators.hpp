@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The binary operators of expressions and their precedence (RoboChart.xtext: Expression to CallExp).
+// Defines the binary operators of expressions and their precedence (RoboChart.xtext: Expression to CallExp).
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace robochart::frontend {
 
-/// An operator of a higher level binds more tightly. Binary operators are left-associative.
+/// A binary operator. It is left-associative, and binds more tightly than operators of lower levels.
 struct BinaryOperator {
     std::string_view word;
     BinaryOp op;
@@ -25,10 +25,11 @@ inline constexpr int if_level = 8;
 inline constexpr int cast_level = 9;  ///< `as` and `is`, whose right side is a type
 inline constexpr int plus_level = 10;
 inline constexpr int times_level = 11;
-inline constexpr int concat_level = 12;  ///< the tightest
+inline constexpr int concat_level = 12;  ///< the level of the operator that binds most tightly
 
-/// The operator that a token after an operand denotes; null if the token is not an operator. `^b` on the operand's
-/// line, which the lexer reads as an escaped name, is the operator `^`. C's `||` and `&&` are read as `\/` and `/\`.
+/// Returns the operator that a token after an operand denotes, or null if the token is not an operator. `^b` on the
+/// operand's line, which the lexer reads as an escaped name, is the operator `^`. C's `||` and `&&` are read as `\/`
+/// and `/\`.
 [[nodiscard]] const BinaryOperator* binary_operator(const Token& token);
 
 }  // namespace robochart::frontend

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The core of the parser: tokens, errors, recovery, and the parsing of a whole file.
+// Implements the core of the parser: tokens, errors, recovery, and the parsing of a whole file.
 #include "frontend/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 29> member_words = {
 /// Words of RoboSim that can begin a member of a body; RoboChart does not reserve them.
 constexpr std::array<std::string_view, 3> robosim_member_words = {"cycleDef", "input", "output"};
 
-/// True for words that begin a component in grammars with neural networks.
+/// True for words that begin a component in the extension of RoboChart with neural networks.
 bool among_neural(std::string_view word) {
     constexpr std::array<std::string_view, 6> words = {"anncontroller", "ANNController", "annoperation",
                                                        "ANNOperation",  "ann",           "ANN"};
@@ -163,8 +163,8 @@ QualifiedName Parser::qualified_name(std::string_view what) {
     return result;
 }
 
-/// If a reserved word is on the same line, it is read as the name. A missing name is replaced by one that no author can
-/// write.
+/// Parses a part of a name. A reserved word on the same line is read as the name. A missing name is replaced by a name
+/// that no author can write.
 void Parser::add_part(QualifiedName& result, std::string_view what) {
     const Token token = peek();
     const bool reserved = token.kind == TokenKind::keyword && !token.first_on_line && at_ >= quiet_until_;
@@ -190,7 +190,7 @@ void Parser::add_part(QualifiedName& result, std::string_view what) {
     if (written) advance_token();
 }
 
-/// True if the next word follows a name, so that the name before it is missing.
+/// True if the next word can only follow a name, so that the name before it is missing.
 bool Parser::at_follower() const {
     constexpr std::array<std::string_view, 8> followers = {"to",        "on",     "from", "trigger",
                                                            "condition", "action", "is",   "in"};
@@ -250,8 +250,9 @@ std::string_view Parser::form_meant(std::string_view expected) const {
     });
 }
 
-/// The last opening brace before this place that is not closed. If a closing brace is indented less than the line of
-/// its opening brace, that opening brace was probably not closed, and the closing brace belongs to an enclosing block.
+/// Returns the last opening brace before this place that is not closed. If a closing brace is indented less than the
+/// line of its opening brace, that opening brace was probably not closed, and the closing brace belongs to an enclosing
+/// block.
 std::optional<std::size_t> Parser::unclosed_brace(bool& by_indentation) const {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < at_; ++i) {
@@ -277,7 +278,7 @@ void Parser::point_to_open(std::string_view what, diagnostics::Diagnostic& findi
                                  : "this `{` is not closed"});
 }
 
-/// Whether invalid characters were skipped before the next token. The message about them is then sufficient.
+/// True if invalid characters were skipped before the next token. The message about them is then sufficient.
 bool Parser::behind_strange_characters() const {
     const std::uint32_t from = at_ > 0 ? previous_token().span.end : 0;
     const auto first = std::ranges::lower_bound(strange_, from);
@@ -289,13 +290,13 @@ void Parser::report_and_throw(const diagnostics::Rule& rule, Span span, std::vec
     throw SyntaxError{};
 }
 
-/// Reports nesting that is too deep and skips the rest of the file. People do not write such text by hand.
+/// Reports nesting that is too deep, which nobody writes by hand, and skips the rest of the file.
 void Parser::too_deep(std::size_t limit) {
     report(syntax::too_deep, peek().span, {std::to_string(limit)});
     throw GiveUp{};
 }
 
-/// The place of a missing token. If the next token begins a line, it is the end of the line before.
+/// Returns the place of a missing token. If the next token begins a line, the place is the end of the line before.
 Span Parser::missing_place() const {
     const Span span = peek().span;
     if (at_ == 0 || !(peek().first_on_line || at_end())) return span;
@@ -311,7 +312,7 @@ diagnostics::Diagnostic* Parser::report_missing(std::string_view what) {
     return report(syntax::unexpected, missing_place(), {std::string(what), describe_token()});
 }
 
-/// Reports a part that needs parentheses, because the tree has no other reading.
+/// Reports an operand that needs parentheses. Parsing continues as if the parentheses were present.
 void Parser::needs_parentheses(std::string_view what, Span span) {
     diagnostics::Diagnostic* finding = report(syntax::needs_parentheses, span, {std::string(what)});
     if (finding == nullptr) return;
@@ -327,7 +328,7 @@ void Parser::mark_lost_names(std::size_t begin, std::size_t end) {
         if (tokens_.kind(i) == TokenKind::identifier) lost_names_.emplace_back(tokens_[i].text);
 }
 
-/// Newer grammars have components that are neural networks. They are reported by name, and their bodies are skipped.
+/// Reports a component that is a neural network, which newer grammars allow, and skips its body.
 bool Parser::neural_construct() {
     const Token token = peek();
     const bool begins = token.kind == TokenKind::identifier && peek(1).kind == TokenKind::identifier &&
@@ -351,7 +352,7 @@ std::size_t Parser::indentation_of(std::size_t token) const {
     return std::min(line.size(), line.find_first_not_of(" \t"));
 }
 
-/// True if the text has too many closing braces and this one is in the middle of a body that continues after it.
+/// True if the text has too many closing braces and the body continues after the current one.
 bool Parser::stray_brace(std::size_t open) const {
     if (surplus_ >= 0) return false;
     const std::string_view body =
@@ -371,7 +372,7 @@ void Parser::pass_stray_brace() {
     quiet_until_ = at_ + 3;
 }
 
-/// The word of the grammar that is nearest to a misspelt name; "" if there is none.
+/// Returns the word of the grammar that is nearest to a misspelt name, or "" if there is none.
 std::string_view Parser::meant_word() {
     constexpr std::size_t most_checks = 1000;  // more checks would not help in a text that is not RoboChart
     if (peek().kind != TokenKind::identifier || peek().escaped || ++spelling_checks_ > most_checks) return {};
@@ -385,7 +386,7 @@ std::string_view Parser::meant_word() {
     return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
 }
 
-/// The words that can begin a member of a body in the dialect of the file.
+/// Returns the words that can begin a member of a body in the dialect of the file.
 std::vector<std::string> Parser::known_member_words() const {
     std::vector<std::string> words(member_words.begin(), member_words.end());
     if (is_robosim()) words.insert(words.end(), robosim_member_words.begin(), robosim_member_words.end());
@@ -441,8 +442,8 @@ bool Parser::at_member_word() const {
     return is_among(peek(), member_words) || is_among(peek(), robosim_member_words);
 }
 
-/// Skips from an opening brace to the position after its closing brace. A word that begins top-level declarations ends
-/// the search, because a brace must be missing.
+/// Skips from an opening brace to the position after its closing brace. A word that can only begin a top-level
+/// declaration ends the search, because a brace must be missing.
 void Parser::skip_balanced() {
     std::size_t open = 0;
     while (!at_end()) {
@@ -475,7 +476,7 @@ void Parser::skip_to_member() {
     }
 }
 
-/// True if the next word cannot be in this body, so that its closing brace is missing.
+/// True if the next word cannot occur in this body, so that the body's closing brace is missing.
 bool Parser::closes_missing_brace(unsigned members) const {
     if (at_end() || at_top_level_word()) return true;
     constexpr std::array<std::string_view, 9> part_words = {"stm",  "operation", "controller", "robotic",   "opref",
@@ -520,7 +521,7 @@ std::unique_ptr<File> Parser::parse_file() {
 
 namespace {
 
-/// The folder of a displayed path, which may be relative.
+/// Returns the folder of a displayed path, which may be relative.
 std::string folder_of(const std::string& path) {
     std::error_code code;
     const std::filesystem::path absolute = std::filesystem::absolute(path, code);

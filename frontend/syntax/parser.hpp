@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recursive-descent parser over the tokens of one file (private to the front end). The productions are those of the
-// public RoboChart.xtext and Assertions.xtext, and of RoboSim.xtext in files of that dialect. Each method is named
-// after the construct that it parses. A construct of the other dialect is reported and parsed (parser_robosim.cpp).
+// Parses the tokens of one file by recursive descent (private to the front end). The productions are those of the
+// public RoboChart.xtext and Assertions.xtext, and of RoboSim.xtext in files of that dialect. The name of a method is
+// the construct that the method parses. A construct of the other dialect is reported and parsed (parser_robosim.cpp).
 //
-// Recovery: a missing token is assumed to be present, and a superfluous one is skipped, once per mistake. If this does
-// not repair the text, the parser throws a SyntaxError, which the nearest member list catches; it then skips to the
-// next member. Elements are added to their owner before their body is parsed, so that the tree contains the part before
-// an error. Names in text that could not be parsed are recorded, so that they are not reported as unknown.
+// Recovery: a missing token is assumed to be present, and a superfluous token is skipped, once per mistake. If this
+// does not repair the text, the parser throws a SyntaxError. The nearest member list catches the exception and skips to
+// the next member. Elements are added to their owner before their body is parsed, so that the tree contains the part
+// before an error. Names in text that could not be parsed are recorded, so that they are not reported as unknown.
 #pragma once
 
 #include <array>
@@ -24,9 +24,9 @@
 
 namespace robochart::frontend {
 
-/// The deepest nesting of brackets, statements, types and composite states that is accepted.
+/// The deepest accepted nesting of brackets, statements, types and composite states.
 inline constexpr std::size_t max_depth = 256;
-/// The greatest height of expression trees, including chains of operators.
+/// The greatest accepted height of expression trees, including chains of operators.
 inline constexpr std::uint32_t max_height = 1000;
 /// Parsing stops after this number of mistakes in a file.
 inline constexpr std::size_t max_mistakes = 100;
@@ -65,8 +65,7 @@ private:
     [[nodiscard]] Token peek(std::size_t ahead = 0) const { return tokens_.token_at(at_ + ahead); }
     [[nodiscard]] Token previous_token() const { return tokens_[at_ > 0 ? at_ - 1 : 0]; }
     [[nodiscard]] bool at_token(std::string_view word) const { return peek().is_word(word); }
-    /// True if the next token is this word. It may be reserved or not, because assertions reserve more words than
-    /// models.
+    /// True if the next token is this word, reserved or not. (Assertions reserve more words than models.)
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
     Token advance_token();
@@ -88,13 +87,14 @@ private:
     [[nodiscard]] bool at_follower() const;
 
     // Mistakes and recovery (parser.cpp)
-    /// The finding; null if the mistake follows from one that was reported already.
+    // Reports a mistake. Returns the finding, or null if the mistake follows from one that was reported already.
     diagnostics::Diagnostic* report(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void report_and_throw(const diagnostics::Rule& rule, Span span,
                                        std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);
     [[noreturn]] void fail_expecting(std::string_view what);
-    /// Reports a missing token; parsing continues as if the token were present. A second failure in a row is thrown.
+    /// Reports a missing token. Parsing continues as if the token were present, but a second failure in a row is
+    /// thrown.
     diagnostics::Diagnostic* report_missing(std::string_view what);
     [[nodiscard]] Span missing_place() const;
     void needs_parentheses(std::string_view what, Span span);
@@ -104,20 +104,21 @@ private:
     [[nodiscard]] std::size_t indentation_of(std::size_t token) const;
     /// If a closing bracket was expected, adds a note at the opening bracket if it is on another line.
     void point_to_open(std::string_view what, diagnostics::Diagnostic& finding) const;
-    /// The advice of foreign_forms() about the tokens here; "" if there is none.
+    /// Returns the advice of foreign_forms() about the tokens here, or "" if there is none.
     [[nodiscard]] std::string_view form_meant(std::string_view expected) const;
     [[nodiscard]] std::optional<std::size_t> unclosed_brace(bool& by_indentation) const;
     [[nodiscard]] bool stray_brace(std::size_t open) const;
     void pass_stray_brace();
-    /// Reports a misspelling of one of these reserved words, and reads it as the intended word.
+    /// If the next token is a misspelling of one of these reserved words, reports this and reads it as the intended
+    /// word.
     bool correct_word(std::initializer_list<std::string_view> keywords);
-    /// Reports a word that begins no member. A misspelt word is corrected in place, so that the member can be parsed
-    /// after all.
+    /// Reports a word that begins no member, and throws. A misspelt word is corrected in place, so that the member list
+    /// can parse the member.
     [[noreturn]] void wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places);
-    /// Reports a word of another notation with RoboChart's equivalent. The equivalent replaces the word if it is a
-    /// single word; otherwise the mistake is thrown. Returns false if the word belongs to no other notation.
+    /// Reports a word of another notation with RoboChart's equivalent. If the equivalent is a single word, it replaces
+    /// the word. Otherwise the mistake is thrown. Returns false if the word belongs to no other notation.
     bool replace_foreign(ForeignPlace place);
-    /// Reports a word that has no equivalent in RoboChart, with a fix that removes it, and skips it.
+    /// Reports a word that RoboChart does not need, with a fix that removes it, and skips the word.
     void pass_superfluous(std::string_view reason);
     /// Skips `:` or `=` after the word that begins a clause or an action.
     void pass_sign_behind_word();
@@ -372,15 +373,16 @@ private:
     diagnostics::Diagnostics& out_;
     TokenList tokens_;
     std::vector<Span> comments_;
-    /// Beginnings of lines; a backward search from every brace would take too long on a long line.
+    /// The beginnings of lines. They are stored because a backward search from every brace would take too long on a
+    /// long line.
     std::vector<std::size_t> line_begins_{0};
     std::size_t at_ = 0;
     std::size_t depth_ = 0;
     std::size_t mistakes_ = 0;
     std::size_t failures_ = 0;     ///< all mistakes, including those that follow from others
-    std::size_t quiet_until_ = 0;  ///< mistakes before this token follow from one already reported
+    std::size_t quiet_until_ = 0;  ///< mistakes before this token follow from a reported one
     std::size_t spelling_checks_ = 0;
-    std::size_t forgotten_ = 0;  ///< value of `failures_` when names were last recorded as lost
+    std::size_t forgotten_ = 0;  ///< value of `failures_` when lost names were last recorded
     std::vector<std::string> lost_names_;
     bool lost_declarations_ = false;
     bool orphans_ = false;                         ///< the last member of the file belongs in a body
@@ -391,7 +393,7 @@ private:
     bool corrected_ = false;              ///< the next token was misspelt and has been corrected
 };
 
-/// Parses one member and catches a mistake in it. Returns true if it was parsed to its end.
+/// Parses one member and catches a mistake in it. Returns true if the member was parsed to its end.
 template <class Body>
 bool Parser::catch_syntax_error(Body body) {
     try {
@@ -411,8 +413,8 @@ auto Parser::note_failures(Read read) {
     return declared;
 }
 
-/// `{ member* }`; each member recovers separately. A closing brace is missing if a member is indented no deeper than
-/// the owner of the body.
+/// Parses `{ member* }`. The parser recovers from a mistake in a member at the next member. A closing brace is assumed
+/// to be missing if a member is not indented more than the owner of the body.
 template <class Member>
 void Parser::parse_braces(Member member, unsigned members) {
     const std::size_t open = at_;
@@ -434,7 +436,7 @@ void Parser::parse_braces(Member member, unsigned members) {
         }
         deeper = deeper || (peek().first_on_line && indentation_of(at_) > own);
         const std::size_t start = at_;
-        // If all its tokens were missing, a member is parsed without consuming one; it does not count.
+        // A member whose tokens are all missing is parsed without consuming a token. It does not count as a member.
         const bool taken = catch_syntax_error(member) && at_ != start;
         const bool read = taken || take_correction();
         if (!read) {

@@ -26,7 +26,7 @@ bool Parser::at_kept_part() const {
     return known && peek().first_on_line && peek(1).kind == TokenKind::string;
 }
 
-/// A part of a claims file at the beginning of a line: `claim A : …`, `claim A of X : …`, `unit 0.1 s`.
+/// True at a part of a claims file at the beginning of a line: `claim A : …`, `claim A of X : …` or `unit 0.1 s`.
 bool Parser::at_claim() const {
     if (!peek().first_on_line) return false;
     if (at_word("unit")) return !peek(1).text.empty() && peek(1).text[0] >= '0' && peek(1).text[0] <= '9';
@@ -34,7 +34,7 @@ bool Parser::at_claim() const {
     return named && (at_word("claim") || at_word("assume") || at_word("order"));
 }
 
-/// `robocert assertion …` at the beginning of a line: it belongs to another tool.
+/// True at `robocert assertion …` at the beginning of a line, which is for another tool.
 bool Parser::at_foreign_assertion() const {
     if (!peek().first_on_line || peek(1).first_on_line) return false;
     return peek().kind == TokenKind::identifier && !at_word("timed") && !at_word("untimed") && !at_word("assertion") &&
@@ -101,7 +101,8 @@ void Parser::assertion_member(File& file) {
     while (!at_end() && !at_assertion_member()) advance_token();
 }
 
-/// `instantiate P::T`, `label "…"`: the head of a part that is stored as text. It includes a whole qualified name.
+/// Parses the head of a part that is stored as text, such as `instantiate P::T` or `label "…"`. The head includes the
+/// whole qualified name.
 KeptPart Parser::kept_part() const {
     KeptPart part{std::string(peek().text), {}, peek().span, false, {}, {}};
     std::size_t at = 1;
@@ -132,13 +133,13 @@ void Parser::keep_as_text(File& file) {
     if (claim) {
         std::string name = sources_.path(source_);
         name = name.substr(name.rfind('/') + 1);
-        // the text reads well, so this is no mistake of the parser
+        // the text is a correct claim, so this is no syntax error
         out_.report(syntax::claim_in_assertions, part.span, {part.form, name.substr(0, name.rfind('.'))});
     }
     file.kept.push_back(std::move(part));
 }
 
-/// `csp NAME associated to X, Y csp-begin … csp-end`
+/// Parses `csp NAME associated to X, Y csp-begin … csp-end`.
 void Parser::csp_block(File& file, AssertionTime time) {
     constexpr std::string_view open = "csp-begin";
     constexpr std::string_view close = "csp-end";
@@ -175,8 +176,8 @@ void Parser::assertion_name(Assertion& assertion) {
     expect_token(":");
 }
 
-/// `sleec assertion N : C conforms to R`, `C does not conform to R`. The assertion is timed, with or without `timed`
-/// before it.
+/// Parses `sleec assertion N : C conforms to R` or `C does not conform to R`. The assertion is always timed, even
+/// without the word `timed` before it.
 void Parser::rule_assertion(File& file) {
     Assertion assertion;
     assertion.time = AssertionTime::timed;
@@ -213,7 +214,7 @@ void Parser::parse_assertion(File& file, AssertionTime time) {
     file.assertions.push_back(std::move(assertion));
 }
 
-/// The grammar does not allow `timed` or `untimed` before assertions about clocks.
+/// Reports `timed` or `untimed` before an assertion about clocks, where the grammar does not allow these words.
 void Parser::refuse_time(AssertionTime time, Span word) {
     const std::string text = time == AssertionTime::timed ? "timed" : "untimed";
     if (diagnostics::Diagnostic* finding = report(syntax::clock_time, word, {text}))
@@ -246,7 +247,7 @@ void Parser::assertion_body(Assertion& assertion, Span time_word) {
     assertion.other = qualified_name("the name of a component or CSP process");
 }
 
-/// `event E is not missed in S for N time units`
+/// Parses `event E is not missed in S for N time units`.
 void Parser::assertion_event(Assertion& assertion) {
     advance_token();
     assertion.kind = AssertionKind::event_missed;
@@ -321,7 +322,7 @@ void Parser::assertion_does(Assertion& assertion) {
     assertion.other = qualified_name("the name of a component or CSP process");
 }
 
-/// `deadlock-free` and `tick-tock` are one word.
+/// Parses two words that are joined by `-`, such as `deadlock-free` and `tick-tock`.
 void Parser::hyphenated_word(std::string_view first, std::string_view second) {
     const Span begin = peek().span;
     advance_token();
@@ -336,7 +337,7 @@ void Parser::hyphenated_word(std::string_view first, std::string_view second) {
     quiet_until_ = 0;
 }
 
-/// `in the traces model`
+/// Parses `in the traces model`.
 void Parser::assertion_model(Assertion& assertion) {
     if (!accept_token("in")) return;
     expect_word("the");
@@ -354,7 +355,7 @@ void Parser::assertion_model(Assertion& assertion) {
     expect_word("model");
 }
 
-/// `failures-divergences`
+/// Reports the hyphen in `failures-divergences` and skips it.
 void Parser::pass_model_hyphen() {
     if (!at_token("-") || !at_word("divergences", 1)) return;
     const Span hyphen = peek().span;
@@ -365,7 +366,7 @@ void Parser::pass_model_hyphen() {
     advance_token();
 }
 
-/// `with P`, `with P, P and P`. RoboSim separates parameters by `,`, `and` or `, and`.
+/// Parses `with P` or `with P, P and P`. In RoboSim, `,`, `and` or `, and` separates parameters.
 void Parser::assertion_parameters(Assertion& assertion) {
     if (!accept_word("with")) return;
     assertion.parameters.push_back(assertion_parameter());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Literals, names and bracketed forms (RoboChart.xtext: Atomic).
+// Parses literals, names and forms in brackets (RoboChart.xtext: Atomic).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ ExprPtr Parser::parse_atom() {
     return missing_expression();
 }
 
-/// No expression begins here; an error node takes its place.
+/// Reports that an expression is missing, and returns an error node in its place.
 ExprPtr Parser::missing_expression() {
     const Span place = missing_place();
     report_missing("an expression");
@@ -63,7 +63,7 @@ void Parser::pass_suffix() {
     advance_token();
 }
 
-/// `x`, `E::L`, or a record `R(| f = e |)`.
+/// Parses `x`, `E::L`, or a record `R(| f = e |)`.
 ExprPtr Parser::parse_named() {
     ExprPtr result = make_expression(ExprKind::name);
     QualifiedName read = qualified_name("a name");
@@ -136,7 +136,7 @@ void Parser::range_end(Expr& range) {
     if (!accept_token("]") && !accept_token(")")) fail_expecting("`]` or `)`");
 }
 
-/// `(e)`, `(a, b]`, `(a, b)`
+/// Parses `(e)`, `(a, b]` or `(a, b)`.
 ExprPtr Parser::parenthesised_or_range() {
     ExprPtr result = make_expression(ExprKind::parenthesised);
     const Span begin = expect_token("(");
@@ -151,7 +151,7 @@ ExprPtr Parser::parenthesised_or_range() {
     return finish_node(std::move(result), begin);
 }
 
-/// `[a, b]`, `[a, b)`
+/// Parses `[a, b]` or `[a, b)`.
 ExprPtr Parser::closed_range() {
     ExprPtr result = make_expression(ExprKind::range);
     const Span begin = expect_token("[");
@@ -161,7 +161,7 @@ ExprPtr Parser::closed_range() {
     return finish_node(std::move(result), begin);
 }
 
-/// `(| a, b |)`
+/// Parses `(| a, b |)`.
 ExprPtr Parser::parse_tuple() {
     ExprPtr result = make_expression(ExprKind::tuple);
     const Span begin = expect_token("(|");
@@ -169,8 +169,9 @@ ExprPtr Parser::parse_tuple() {
     return finish_node(std::move(result), begin);
 }
 
-/// `< a, b >`. Elements are parsed from the level of `+`, so that `>` closes the sequence. A sequence that begins with
-/// a set arrives as the token `<{` of deadlines, which is split here.
+/// Parses `< a, b >`. Elements contain only operators that bind at least as tightly as `+`, so that `>` closes the
+/// sequence. If a sequence begins with a set, the lexer has read the token `<{` of deadlines, which this function
+/// splits.
 ExprPtr Parser::parse_sequence() {
     const Nesting nesting(*this);
     ExprPtr result = make_expression(ExprKind::sequence);
@@ -188,7 +189,7 @@ ExprPtr Parser::parse_sequence() {
     return finish_node(std::move(result), begin);
 }
 
-/// A weaker operator is reported and read as intended.
+/// Parses an element of a sequence. An operator that binds less tightly than `+` is reported and read as intended.
 ExprPtr Parser::sequence_element() {
     constexpr int plus_level = 10;
     ExprPtr element = parse_operand(plus_level);
@@ -204,7 +205,7 @@ ExprPtr Parser::sequence_element() {
     return element;
 }
 
-/// `{a, b}`, `{a to b}`, `{v:T | p @ e}`
+/// Parses `{a, b}`, `{a to b}` or `{v:T | p @ e}`.
 ExprPtr Parser::parse_set() {
     ExprPtr result = make_expression(ExprKind::set);
     const Span begin = expect_token("{");
@@ -234,7 +235,7 @@ ExprPtr Parser::parse_comprehension(Span begin) {
     return finish_node(std::move(result), begin);
 }
 
-/// `[| a, b; c, d |]`; without `;` it is a vector.
+/// Parses a matrix `[| a, b; c, d |]`. Without `;`, the form is a vector.
 ExprPtr Parser::parse_matrix() {
     ExprPtr result = make_expression(ExprKind::matrix);
     const Span begin = expect_token("[|");

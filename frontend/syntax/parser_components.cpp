@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Members of contexts, controllers, modules, references, connections (RoboChart.xtext: ControllerDef, RCModule).
+// Parses members of contexts, controllers and modules, references, and connections (RoboChart.xtext: ControllerDef,
+// RCModule).
 #include <fmt/format.h>
 
 #include "frontend/syntax/parser.hpp"
@@ -7,7 +8,7 @@
 
 namespace robochart::frontend {
 
-/// Parses a member that the grammar allows in any context, or that a rule (STM6, C7, C9, RP3) rejects there.
+/// Parses a member that the grammar allows in every context. Rules (STM6, C7, C9, RP3) reject some of them later.
 bool Parser::context_member(Context& context) {
     if (at_token("uses") || at_token("requires") || at_token("provides"))
         interface_clause(context);
@@ -24,7 +25,7 @@ bool Parser::context_member(Context& context) {
     return true;
 }
 
-/// Parses an interface clause. RoboChart.xtext allows one name after the keyword; old models have lists.
+/// Parses an interface clause. RoboChart.xtext allows one name after the keyword, but old models have lists.
 void Parser::interface_clause(Context& context) {
     InterfaceClause clause;
     clause.use = InterfaceUse::provides;
@@ -46,7 +47,7 @@ void Parser::interface_clause(Context& context) {
     }
 }
 
-/// Old models name several interfaces in one clause.
+/// Reports several interfaces in one clause, as old models have them.
 void Parser::old_list(Span comma, std::string_view word) {
     inserted_ = nullptr;
     out_.report(syntax::legacy_list, comma, {std::string(word)})

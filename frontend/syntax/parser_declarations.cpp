@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files, packages, imports, types, functions, interfaces, platforms (RoboChart.xtext: RCPackage to RoboticPlatform).
+// Parses files, packages, imports, types, functions, interfaces and platforms (RoboChart.xtext: RCPackage to
+// RoboticPlatform).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void Parser::parse_diagram(File& file) {
     file.diagrams.push_back(simple_name("the diagram's name").text());
 }
 
-/// Parses one member of a file; after a mistake, skips to the next declaration.
+/// Parses one member of a file. After a mistake, skips to the next declaration.
 void Parser::top_level(File& file) {
     const std::size_t start = at_;
     const bool orphan = at_token("}") || (at_member_word() && !at_token("stm") && !at_token("operation") &&
@@ -130,7 +131,7 @@ void Parser::pass_separator(std::string_view reason) {
     if (at_token(",") || at_token(";")) pass_superfluous(reason);
 }
 
-/// `( p:T, … )`
+/// Parses `( p:T, … )`.
 std::vector<VariablePtr> Parser::parse_parameters() {
     std::vector<VariablePtr> list;
     expect_token("(");
@@ -142,7 +143,7 @@ std::vector<VariablePtr> Parser::parse_parameters() {
     return list;
 }
 
-/// `v:T`, and `= e` for variables and constants. The variable is declared even if its type cannot be parsed.
+/// Parses `v:T`, with `= e` for variables and constants. The variable is declared even if its type cannot be parsed.
 void Parser::parse_variable(std::vector<VariablePtr>& list, DeclKind kind) {
     auto owned = std::make_unique<Variable>(kind);
     Variable& variable = *owned;
@@ -160,7 +161,7 @@ void Parser::parse_variable(std::vector<VariablePtr>& list, DeclKind kind) {
     variable.span = span_since(variable.span);
 }
 
-/// `var nat x` is read as `var x : nat`.
+/// Reports `var nat x` and reads it as `var x : nat`.
 void Parser::type_before_name(Variable& variable) {
     const Token name = peek();
     const bool swapped = name.kind == TokenKind::identifier && !name.first_on_line && names_core_type(variable.name);

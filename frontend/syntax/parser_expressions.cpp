@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operator precedence parser (RoboChart.xtext: Expression to CallExp). Binary operators are left-associative.
+// Parses operators by their precedence (RoboChart.xtext: Expression to CallExp). Binary operators are left-associative.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The level of the form at the root of a tree; an operator that binds more tightly cannot follow it.
+/// Returns the level of the form at the root of a tree. An operator that binds more tightly cannot follow this form.
 int own_level(const Expr& expr) {
     if (expr.kind == ExprKind::if_then_else) return if_level;
     return expr.kind == ExprKind::cast || expr.kind == ExprKind::is_type ? cast_level : concat_level;
@@ -35,7 +35,7 @@ ExprPtr Parser::make_expression(ExprKind kind) {
     return expr;
 }
 
-/// Completes a node: its span and the height of the tree, which bounds every later traversal.
+/// Completes a node: sets its span and its height. The height is limited, because every later traversal is recursive.
 ExprPtr Parser::finish_node(ExprPtr expr, Span begin) {
     expr->span = span_since(begin);
     std::uint32_t below = height(expr->callee);
@@ -61,7 +61,7 @@ ExprPtr Parser::parse_expression() {
     return at_quantifier() ? parse_quantified() : parse_operand(0);
 }
 
-/// `forall v:T, … | p @ e`, and the same form with exists, exists1 and lambda.
+/// Parses `forall v:T, … | p @ e`, and the same form with exists, exists1 and lambda.
 ExprPtr Parser::parse_quantified() {
     ExprPtr result = make_expression(ExprKind::lambda);
     if (at_token("forall")) result->kind = ExprKind::forall;
@@ -88,7 +88,7 @@ void Parser::such_that(Expr& expr) {
     expr.args.push_back(accept_token("|") ? parse_expression() : nullptr);
 }
 
-/// An expression whose operators bind at least as tightly as `level`.
+/// Reads an expression whose operators bind at least as tightly as `level`.
 ExprPtr Parser::parse_operand(int level) {
     ExprPtr left = parse_prefix(level);
     for (;;) {
@@ -107,7 +107,7 @@ ExprPtr Parser::parse_operand(int level) {
     }
 }
 
-/// `=` between expressions is read as `==`.
+/// Reports `=` between expressions and reads it as `==`.
 bool Parser::repair_equality(int level) {
     if (!at_token("=") || level > compare_level) return false;
     const Span span = peek().span;
@@ -160,7 +160,8 @@ ExprPtr Parser::parse_prefix(int level) {
     return result;
 }
 
-/// A prefix operator as operand of an operator that binds more tightly needs parentheses; it is read as intended.
+/// Reports an operand that begins with a prefix operator, if the operator around it binds more tightly, so that
+/// parentheses are needed. The operand is read as intended.
 void Parser::check_weak_prefix(const Token& word, const Expr& read, int level, int own_level) {
     if (level <= own_level) return;
     diagnostics::Diagnostic* finding = report(syntax::bare_quantifier, word.span, {std::string(word.text)});
@@ -191,7 +192,7 @@ ExprPtr Parser::logical_not(int level) {
     return result;
 }
 
-/// `the v:T | p @ e`
+/// Parses `the v:T | p @ e`.
 ExprPtr Parser::parse_description(int level) {
     const Nesting nesting(*this);
     ExprPtr result = make_expression(ExprKind::the);
@@ -206,7 +207,7 @@ ExprPtr Parser::parse_description(int level) {
     return result;
 }
 
-/// `let x == e, … @ e`
+/// Parses `let x == e, … @ e`.
 ExprPtr Parser::parse_let(int level) {
     const Nesting nesting(*this);
     ExprPtr result = make_expression(ExprKind::let);
@@ -232,7 +233,7 @@ ExprPtr Parser::parse_let(int level) {
     return result;
 }
 
-/// `if c then a else b end`
+/// Parses `if c then a else b end`.
 ExprPtr Parser::parse_conditional(int level) {
     ExprPtr result = make_expression(ExprKind::if_then_else);
     const Token word = peek();
@@ -258,7 +259,7 @@ ExprPtr Parser::parse_negation() {
     return finish_node(std::move(result), begin);
 }
 
-/// True if a member step follows. In assertion files `.` may also end the assertion, so a field must follow `.`
+/// True if the name of a member follows. In assertion files `.` may also end the assertion, so the name must follow `.`
 /// directly.
 bool Parser::at_member_step() const {
     const Token next = peek(1);
@@ -270,7 +271,8 @@ ExprPtr Parser::parse_postfix() {
     return parse_steps(parse_call(), false);
 }
 
-/// Member and index steps: `e.f`, `e[i, j]`. In expressions, at most one index is allowed, before the members.
+/// Parses members and indices after an expression: `e.f`, `e[i, j]`. In expressions, at most one index is allowed,
+/// before the members.
 ExprPtr Parser::parse_steps(ExprPtr left, bool assigned) {
     while (at_member_step() || at_token("[")) {
         const bool stepped = left->kind == ExprKind::member || left->kind == ExprKind::index;
@@ -293,7 +295,7 @@ ExprPtr Parser::parse_steps(ExprPtr left, bool assigned) {
     return left;
 }
 
-/// `f(a, …)`; the function is a name or any other atom.
+/// Parses `f(a, …)`. The function is a name or any other atom.
 ExprPtr Parser::parse_call() {
     ExprPtr function = parse_atom();
     while (at_token("(")) {
@@ -311,7 +313,7 @@ ExprPtr Parser::parse_call() {
     return function;
 }
 
-/// `e, …` up to and including the closing token; may be empty.
+/// Parses `e, …` up to and including the closing token. The list may be empty.
 void Parser::expression_list(std::vector<ExprPtr>& list, std::string_view close) {
     if (!at_token(close)) {
         do list.push_back(parse_expression());

@@ -13,7 +13,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The type of package core that the word denotes.
+/// Returns the type of package core that the word denotes.
 std::string_view type_named(std::string_view word) {
     const ForeignWord* const row = foreign_word(word, ForeignPlace::type);
     return row == nullptr ? word : row->instead;
@@ -21,7 +21,7 @@ std::string_view type_named(std::string_view word) {
 
 }  // namespace
 
-/// True for a type of package core, or another notation's name of one.
+/// True for the name of a type of package core, and for the name that another notation has for it.
 bool Parser::names_core_type(std::string_view word) {
     constexpr std::array<std::string_view, 5> core = {"int", "nat", "real", "boolean", "string"};
     return std::ranges::find(core, word) != core.end() || foreign_word(word, ForeignPlace::type) != nullptr;
@@ -42,8 +42,8 @@ bool Parser::replace_foreign(ForeignPlace place) {
     } else {
         throw SyntaxError{};
     }
-    // A word of the grammar may be misplaced for other reasons, but a word followed by a name probably is the foreign
-    // one.
+    // A word of the grammar may be misplaced for other reasons, but if a name follows, the author probably means the
+    // word of the other notation.
     const bool meant = place == ForeignPlace::clause && peek(1).kind == TokenKind::identifier;
     if (token.kind == TokenKind::identifier || meant) quiet_until_ = 0;
     return true;
@@ -72,7 +72,7 @@ void Parser::pass_sign_behind_word() {
         pass_superfluous("a keyword is directly followed by its contents");
 }
 
-/// The second word is replaced by the intended one.
+/// See parser.hpp. The intended word replaces the second word.
 void Parser::replace_two_words(std::string_view instead, std::string_view reason) {
     const Span span = diagnostics::join_spans(peek().span, peek(1).span);
     const std::string text(sources_.source_text(source_).substr(span.begin, span.end - span.begin));
@@ -84,14 +84,14 @@ void Parser::replace_two_words(std::string_view instead, std::string_view reason
     quiet_until_ = 0;
 }
 
-/// `state machine S`
+/// Reports `state machine S` and reads it as `stm S`.
 bool Parser::state_machine_words() {
     if (!at_token("state") || !at_word("machine", 1)) return false;
     replace_two_words("stm", foreign_word("machine", ForeignPlace::declaration)->reason);
     return true;
 }
 
-/// `int x`
+/// Reports `int x` in the place of `var x : int` and skips it.
 bool Parser::typed_like_c() {
     const Token first = peek();
     const Token second = peek(1);
@@ -111,7 +111,7 @@ bool Parser::typed_like_c() {
     return true;
 }
 
-/// `initial state A` and `final state B`, after their first word.
+/// Reports `initial state A` or `final state B` after its first word. Returns true for `initial`.
 bool Parser::pseudo_state(DeclKind kind) {
     const bool meant = at_token("state") && peek(1).kind == TokenKind::identifier && !peek(1).first_on_line;
     if (!meant || (kind != DeclKind::initial && kind != DeclKind::final)) return false;
@@ -131,7 +131,8 @@ bool Parser::pseudo_state(DeclKind kind) {
     return kind == DeclKind::initial;
 }
 
-/// `and`, `mod`, `<>`, `/=` between two expressions. In assertion files, `and` has a different meaning.
+/// Reports `and`, `mod`, `<>` or `/=` between two expressions, and reads RoboChart's operator. In assertion files,
+/// `and` has a different meaning.
 bool Parser::foreign_operator() {
     if (is_assertions_) return false;
     const Token next = peek(1);
@@ -145,7 +146,7 @@ bool Parser::foreign_operator() {
     return replace_foreign(ForeignPlace::infix);
 }
 
-/// `[ x > 0 ]`
+/// Reports a guard `[ x > 0 ]` and reads it as a condition.
 void Parser::bracketed_guard(Transition& transition) {
     const Span begin = peek().span;
     const auto behind = behind_brackets(0);
@@ -164,8 +165,8 @@ void Parser::bracketed_guard(Transition& transition) {
     expect_token("]");
 }
 
-/// `e`, `e [c] / a` without `trigger`, as in a UML transition. Returns the position of its last clause in the order of
-/// clauses; 0 if it is something else.
+/// Reports `e` or `e [c] / a` without `trigger`, as in a UML transition, and reads it as clauses. Returns the position
+/// of the last clause in the order of clauses, or 0 for other texts.
 int Parser::forgotten_trigger(Transition& transition) {
     const Token next = peek(1);
     const bool clause_follows = next.is_word("[") || next.is_word("/") || next.is_word("?") || next.is_word("!") ||
@@ -205,7 +206,7 @@ int Parser::forgotten_trigger(Transition& transition) {
     return clause;
 }
 
-/// `reset(C)` as a clause.
+/// Reports `reset(C)` as a clause and reads it as `reset C`.
 bool Parser::called_reset(Transition& transition) {
     const bool called =
         at_word("reset") && peek(1).is_word("(") && peek(2).kind == TokenKind::identifier && peek(3).is_word(")");
@@ -224,7 +225,7 @@ bool Parser::called_reset(Transition& transition) {
     return true;
 }
 
-/// `A -> B`
+/// Reports `A -> B` and reads it as the ends of a transition.
 void Parser::ends_by_arrow(Transition& transition) {
     const Span span = diagnostics::join_spans(peek().span, peek(1).span);
     const std::string source(peek().text);
@@ -245,7 +246,7 @@ bool Parser::at_foreign_statement() const {
            foreign_word(peek().text, ForeignPlace::statement) != nullptr;
 }
 
-/// `x++` and `x += e`; null if it is neither.
+/// Reports `x++` or `x += e` and reads it as an assignment. Returns null if the statement has neither form.
 StmtPtr Parser::updating_statement() {
     const Token op = peek(1);
     const bool counts =
@@ -269,7 +270,7 @@ StmtPtr Parser::updating_statement() {
     return statement;
 }
 
-/// True if the text declares a clock of this name and no such variable.
+/// True if the text declares a clock, but no variable, of this name.
 bool Parser::names_clock(std::string_view word) const {
     bool clock = false;
     for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
@@ -280,7 +281,7 @@ bool Parser::names_clock(std::string_view word) const {
     return clock;
 }
 
-/// `C := 0`; null if the statement is not of this form.
+/// Reports `C := 0` and reads it as a reset of the clock. Returns null if the statement does not have this form.
 StmtPtr Parser::clock_set_to_zero() {
     const Token name = peek();
     const bool zero =
@@ -299,7 +300,7 @@ StmtPtr Parser::clock_set_to_zero() {
     return statement;
 }
 
-/// `if c { S } else { T }`, after its condition.
+/// Reports `if c { S } else { T }` after its condition, and reads it as a conditional statement.
 StmtPtr Parser::braced_if(StmtPtr begun) {
     report(syntax::other_notation, peek().span, {"{", "an `if` has the form `if c then S else T end`, without braces"});
     quiet_until_ = 0;
@@ -315,7 +316,7 @@ StmtPtr Parser::braced_if(StmtPtr begun) {
     return begun;
 }
 
-/// `{ S }` in the place of a statement
+/// Reports `{ S }` in the place of a statement and reads the statement S.
 StmtPtr Parser::braced_statement() {
     const Span begin = peek().span;
     report(syntax::other_notation, begin, {"{", "statements have no braces: `entry a(); b()`"});
@@ -329,7 +330,7 @@ StmtPtr Parser::braced_statement() {
     return group;
 }
 
-/// `event e()`, `event e(int)` and `event e(x : int)`, after the name.
+/// Reports `event e()`, `event e(int)` or `event e(x : int)` after the name, and reads the type.
 void Parser::bracketed_event(Event& event) {
     const std::optional<std::size_t> behind = behind_brackets(0);
     constexpr std::size_t most_words = 12;
@@ -355,7 +356,7 @@ void Parser::bracketed_event(Event& event) {
     expect_token(")");
 }
 
-/// `clock C = 0` and `clock C : real`, after the name.
+/// Reports `clock C = 0` or `clock C : real` after the name, and skips the value or type.
 void Parser::clock_with_value() {
     const bool typed = at_token(":") && peek(1).kind == TokenKind::identifier;
     const bool set = at_token("=") && peek(1).kind == TokenKind::integer;
@@ -374,7 +375,7 @@ void Parser::clock_with_value() {
     clock_with_value();
 }
 
-/// `async`, `_async` and `[async]` after a connection.
+/// Reports `async`, `_async` or `[async]` after a connection, and reads it as `(_async)`.
 bool Parser::bare_async() {
     const auto async = [&](std::size_t ahead) { return at_word("async", ahead) || at_word("_async", ahead); };
     const bool bracketed = at_token("[") && async(1) && peek(2).is_word("]");
@@ -390,7 +391,7 @@ bool Parser::bare_async() {
     return true;
 }
 
-/// `50%`, if no operand for a remainder follows.
+/// Reports `50%`, if no operand for a remainder follows, and reads it as a fraction.
 bool Parser::parse_percentage(Expr& number) {
     const bool literal = number.kind == ExprKind::integer && number.text.size() <= 3;
     const bool ends = peek(1).is_word("}") || peek(1).is_word(")") || peek(1).is_word(";") ||
@@ -410,7 +411,7 @@ bool Parser::parse_percentage(Expr& number) {
     return true;
 }
 
-/// `state S` without braces, after the name. It is interpreted as a state without actions.
+/// Reports `state S` without braces, after the name. It is read as a state without actions.
 bool Parser::body_left_out() {
     const bool ends = at_token(";") && peek(1).first_on_line;
     const bool next_member = ((at_member_word() || at_token("}")) && peek().first_on_line) || ends;
@@ -425,8 +426,7 @@ bool Parser::body_left_out() {
     return true;
 }
 
-/// `P=? [ F p ]`, `Rmax<=3 [ ... ]`, as in PRISM. The form is reported as a whole, and the rest of the claim is
-/// skipped.
+/// Reports a query of PRISM such as `P=? [ F p ]` or `Rmax<=3 [ ... ]` as a whole, and skips the rest of the claim.
 void Parser::prism_query() {
     constexpr std::array<std::string_view, 6> words = {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax"};
     const Token word = peek();
@@ -459,7 +459,7 @@ void Parser::prism_query() {
     throw SyntaxError{};
 }
 
-/// The text between two tokens, with PRISM's path operators replaced by RoboChart's.
+/// Returns the text between two tokens, with PRISM's path operators replaced by RoboChart's.
 std::string Parser::prism_path(std::size_t begin, std::size_t end) const {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 8> words = {{{"F", "Finally"},
                                                                                      {"G", "Globally"},

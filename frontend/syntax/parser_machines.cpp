@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State machines, operations, nodes, actions, transitions (RoboChart.xtext: StateMachineDef to Action).
+// Parses state machines, operations, nodes, actions and transitions (RoboChart.xtext: StateMachineDef to Action).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -141,7 +141,7 @@ void Parser::parse_transition(NodeContainer& container) {
     transition.span = span_since(transition.span);
 }
 
-/// `transition t from A to B` without its braces, or without the opening one.
+/// Reports and parses `transition t from A to B` without its braces, or without its opening brace.
 void Parser::unbraced_transition(Transition& transition) {
     const std::size_t failures = failures_;
     const Span begin = peek().span;
@@ -198,8 +198,8 @@ void Parser::transition_body(Transition& transition, bool braced) {
     }
 }
 
-/// A fix that moves the clause at this token, which ends at the last token read, before the first clause of a later
-/// kind.
+/// Returns a fix that moves the clause at this token, which ends at the last token read, before the first clause of a
+/// later kind.
 diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std::size_t, 6>& begins, int kind) const {
     std::size_t later = clause;
     for (std::size_t i = static_cast<std::size_t>(kind) + 1; i < begins.size(); ++i)
@@ -263,7 +263,7 @@ int Parser::transition_clause(Transition& transition) {
                        : "`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
 }
 
-/// `trigger e…`; the old forms `trigger` and `trigger #C` wait for no event.
+/// Parses `trigger e…`. The old forms `trigger` and `trigger #C` wait for no event.
 void Parser::parse_trigger(Transition& transition) {
     const Span word = expect_token("trigger");
     pass_sign_behind_word();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probabilistic assertions (Assertions.xtext): properties, the definitions that they use, and expression forms that
-// only they allow.
+// Parses probabilistic assertions (Assertions.xtext): properties, the definitions that they use, and the forms of
+// expressions that only they allow.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Sets a flag while the object exists.
+/// Sets a flag to true while the object exists.
 class Raised {
 public:
     explicit Raised(bool& flag) : flag_(flag) { flag_ = true; }
@@ -64,7 +64,7 @@ void Parser::definition_name(std::string& name, Span& span) {
     span = read.span;
 }
 
-/// `prob property P : e`, `prob generate path P : using simulation …`, and their `with` clauses.
+/// Parses `prob property P : e`, `prob generate path P : using simulation …`, and their `with` clauses.
 void Parser::probabilistic_assertion(File& file) {
     ProbabilisticAssertion& assertion = file.probabilistic_assertions.emplace_back();
     const std::size_t before = failures_;
@@ -109,7 +109,8 @@ PathGeneration Parser::path_generation() {
     return path;
 }
 
-/// `with constants …`, `with definitions …`, `with modules …`, `with cmdoptions "…"`: each at most once, in this order.
+/// Parses `with constants …`, `with definitions …`, `with modules …` and `with cmdoptions "…"`: each at most once, in
+/// this order.
 void Parser::probabilistic_clauses(ProbabilisticAssertion& assertion) {
     std::string last;
     int order = -1;
@@ -141,7 +142,7 @@ void Parser::probabilistic_clauses(ProbabilisticAssertion& assertion) {
     }
 }
 
-/// The name of a definition, or an inline definition.
+/// Reads the name of a definition, or an inline definition.
 ProbabilisticClause Parser::probabilistic_clause(ProbabilisticKind kind) {
     ProbabilisticClause clause;
     clause.definition.kind = kind;
@@ -205,7 +206,7 @@ void Parser::definition_body(ProbabilisticDefinition& definition) {
 
 // ---------------------------------------------------------------- definitions
 
-/// `q set to e, …, and t from set {…}`
+/// Parses `q set to e, …, and t from set {…}`.
 std::vector<ConstantValues> Parser::constant_list() {
     std::vector<ConstantValues> list;
     bool more = true;
@@ -234,7 +235,7 @@ ConstantValues Parser::constant_values() {
     return values;
 }
 
-/// `[event] g : v; … endrewards`
+/// Parses `[event] g : v; … endrewards`.
 std::vector<RewardItem> Parser::reward_items() {
     std::vector<RewardItem> items;
     while (!at_word("endrewards")) {
@@ -251,7 +252,7 @@ std::vector<RewardItem> Parser::reward_items() {
     return items;
 }
 
-/// `[event]`, `[]`
+/// Parses `[event]` or `[]`.
 ExprPtr Parser::action_label() {
     expect_token("[");
     ExprPtr event = at_token("]") ? nullptr : parse_named();
@@ -259,7 +260,7 @@ ExprPtr Parser::action_label() {
     return event;
 }
 
-/// `pfunction f(x, y) = { return e }`, `poperation o(x) = { u & v }`
+/// Parses `pfunction f(x, y) = { return e }` or `poperation o(x) = { u & v }`.
 ProbabilisticFunction Parser::probabilistic_function() {
     ProbabilisticFunction function;
     const bool returns = advance_token().text == "pfunction";
@@ -284,7 +285,7 @@ ProbabilisticFunction Parser::probabilistic_function() {
     return function;
 }
 
-/// `pmodule N { x : T init e; … [event] g -> u & v; … }`
+/// Parses `pmodule N { x : T init e; … [event] g -> u & v; … }`.
 ProbabilisticModule Parser::probabilistic_module() {
     ProbabilisticModule module;
     expect_word("pmodule");
@@ -301,7 +302,7 @@ ProbabilisticModule Parser::probabilistic_module() {
     return module;
 }
 
-/// `x : [a to b] init e`, `x : bool`
+/// Parses `x : [a to b] init e` or `x : bool`.
 ModuleVariable Parser::module_variable() {
     ModuleVariable result;
     result.variable = std::make_unique<Variable>(DeclKind::variable);
@@ -321,7 +322,7 @@ ModuleVariable Parser::module_variable() {
     return result;
 }
 
-/// `[event] g -> u & v`, `[] g -> skip`
+/// Parses `[event] g -> u & v` or `[] g -> skip`.
 Command Parser::parse_command() {
     Command result;
     result.event = action_label();
@@ -338,7 +339,7 @@ std::vector<Update> Parser::parse_updates() {
     return list;
 }
 
-/// `(@x = e)`, `(p : @x = e)`
+/// Parses `(@x = e)` or `(p : @x = e)`.
 Update Parser::parse_update() {
     Update result;
     expect_token("(");
@@ -358,7 +359,8 @@ Update Parser::parse_update() {
 
 // ---------------------------------------------------------------- expressions
 
-/// Null if no form of probabilistic assertions begins here. A member on the next line is not an expression.
+/// Parses a form of expressions that only probabilistic assertions allow. Returns null if none begins here. A member on
+/// the next line is not an expression.
 ExprPtr Parser::probabilistic_atom() {
     if (peek().first_on_line && at_assertion_member()) return missing_expression();
     prism_query();
@@ -375,7 +377,7 @@ bool Parser::at_path_prefix() const {
            (at_word("Weak") && at_word("Until", 1));
 }
 
-/// `Finally <=10 φ`, `Globally [1, 3] φ`; φ extends as far to the right as possible.
+/// Parses `Finally <=10 φ` or `Globally [1, 3] φ`. φ extends as far to the right as possible.
 ExprPtr Parser::path_prefix() {
     const Nesting nesting(*this);
     ExprPtr result = make_expression(ExprKind::path);
@@ -391,7 +393,7 @@ ExprPtr Parser::path_prefix() {
     return finish_node(std::move(result), begin);
 }
 
-/// `φ Until <=10 ψ`
+/// Parses `φ Until <=10 ψ`.
 ExprPtr Parser::parse_until(ExprPtr left) {
     ExprPtr result = make_expression(ExprKind::path);
     const Span begin = left->span;
@@ -403,7 +405,7 @@ ExprPtr Parser::parse_until(ExprPtr left) {
     return finish_node(std::move(result), begin);
 }
 
-/// Parses the bound on the number of steps, if there is one. Its value is an atom, because the formula follows
+/// Parses the bound on the number of steps, if there is one. The bound is an atom, because the formula follows
 /// directly.
 void Parser::step_bound(Expr& path) {
     path.args.emplace_back();
@@ -415,7 +417,7 @@ void Parser::step_bound(Expr& path) {
     }
 }
 
-/// `Prob>=0.5 of [φ]`, `Reward {r} max=? of [ρ] using sim …`
+/// Parses `Prob>=0.5 of [φ]` or `Reward {r} max=? of [ρ] using sim …`.
 ExprPtr Parser::parse_quantitative(ExprKind kind) {
     ExprPtr result = make_expression(kind);
     const Span begin = advance_token().span;
@@ -443,7 +445,7 @@ ExprPtr Parser::parse_quantitative(ExprKind kind) {
     return finish_node(std::move(result), begin);
 }
 
-/// `Reachable φ`, `LTL φ`, `Cumul e`, `Total`
+/// Parses `Reachable φ`, `LTL φ`, `Cumul e` or `Total`.
 ExprPtr Parser::reward_path() {
     ExprPtr result = make_expression(ExprKind::path);
     const Span begin = result->span;
@@ -463,7 +465,7 @@ ExprPtr Parser::reward_path() {
     return finish_node(std::move(result), begin);
 }
 
-/// `using sim with CI at alpha=0.05, n=1000, and pathlen=10000`
+/// Parses `using sim with CI at alpha=0.05, n=1000, and pathlen=10000`.
 ExprPtr Parser::parse_simulation() {
     ExprPtr result = make_expression(ExprKind::simulation);
     const Span begin = result->span;
@@ -490,7 +492,7 @@ ExprPtr Parser::parse_simulation() {
     return finish_node(std::move(result), begin);
 }
 
-/// `Forall [φ]`, `Exists [φ]`
+/// Parses `Forall [φ]` or `Exists [φ]`.
 ExprPtr Parser::path_quantifier(ExprKind kind) {
     ExprPtr result = make_expression(kind);
     const Span begin = advance_token().span;
@@ -500,7 +502,7 @@ ExprPtr Parser::path_quantifier(ExprKind kind) {
     return finish_node(std::move(result), begin);
 }
 
-/// `$formula`, `$$parameter`, `#label`, `&function`, `@M::N::variable`
+/// Parses `$formula`, `$$parameter`, `#label`, `&function` or `@M::N::variable`.
 ExprPtr Parser::parse_marked() {
     ExprPtr result = make_expression(ExprKind::marked);
     const Span begin = result->span;
@@ -510,7 +512,7 @@ ExprPtr Parser::parse_marked() {
     return finish_node(std::move(result), begin);
 }
 
-/// The forms that may follow a name: `is in S`, `.in`, `.out`, `.in.val`, `.out.val`.
+/// Reads the forms that may follow a name: `is in S`, `.in`, `.out`, `.in.val`, `.out.val`.
 ExprPtr Parser::behind_name(ExprPtr name) {
     const Span begin = name->span;
     if (at_token("is") && peek(1).is_word("in")) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The constructs of RoboSim (RoboSim.xtext): registers, cycles, contexts, simulations. In a file of RoboChart they are
-// reported and parsed, and so are RoboChart's own constructs in a file of RoboSim.
+// Parses the constructs of RoboSim (RoboSim.xtext): registers, cycles, contexts, simulations. In a file of RoboChart
+// they are reported and parsed. Likewise, constructs that only RoboChart has are reported and parsed in a file of
+// RoboSim.
 #include <fmt/format.h>
 
 #include "frontend/syntax/parser.hpp"
@@ -22,7 +23,7 @@ void Parser::refuse_robochart(Span span, std::string_view written, std::string_v
     if (is_robosim()) refuse_dialect(span, written, instead);
 }
 
-/// An event that is sent or received without `$`. In RoboSim, nobody waits for an event.
+/// Reports an event that is sent or received without `$`. In RoboSim, no machine waits for an event.
 void Parser::check_plain_communication(const Stmt& statement) {
     if (!is_robosim()) return;
     const Communication& communication = *statement.communication;
@@ -40,7 +41,8 @@ void Parser::check_plain_communication(const Stmt& statement) {
 
 // ---------------------------------------------------------------- members
 
-/// `cycleDef e`, `input context {…}` and `output context {…}`. In a file of RoboChart these words are not reserved.
+/// Parses `cycleDef e`, `input context {…}` or `output context {…}`. Returns false at other texts. RoboChart does not
+/// reserve these words.
 bool Parser::robosim_member(Context& context) {
     const bool cycle = is_robosim() ? at_token("cycleDef") : at_word("cycleDef");
     const bool registers = (at_word("input") || at_word("output")) && at_word("context", 1);
@@ -65,8 +67,8 @@ void Parser::cycle_definition(Context& context) {
         context.cycle = std::move(value);
 }
 
-/// `input context { … }`, `output context { … }`. A second context of a kind is reported, and its members are added to
-/// the first.
+/// Parses `input context { … }` or `output context { … }`. A second context of a kind is reported, and its members are
+/// added to the first.
 void Parser::register_context(Context& context) {
     const bool input = at_word("input");
     const Span begin = advance_token().span;
@@ -87,7 +89,7 @@ void Parser::register_context(Context& context) {
     registers.span = span_since(registers.span);
 }
 
-/// `uses I`, `requires I`, `event e : T`.
+/// Parses `uses I`, `requires I` or `event e : T`.
 void Parser::register_member(Context& registers) {
     if (at_token("uses") || at_token("requires")) return interface_clause(registers);
     if (at_token("event") || at_token("_broadcast")) return parse_event(registers);
@@ -100,7 +102,7 @@ void Parser::register_member(Context& registers) {
     throw SyntaxError{};
 }
 
-/// `exec` after the source and the target of a transition.
+/// Parses `exec` after the source and the target of a transition.
 bool Parser::exec_clause(Transition& transition) {
     const bool here = is_robosim() ? at_token("exec") : at_word("exec") && peek(1).kind == TokenKind::keyword;
     if (!here) return false;
@@ -119,7 +121,7 @@ StmtPtr Parser::exec_statement() {
     return statement;
 }
 
-/// `$e`, `$e!E`, `$e.E`, `$op(E, …)`, `$x.f[i] = E`.
+/// Parses `$e`, `$e!E`, `$e.E`, `$op(E, …)` or `$x.f[i] = E`.
 StmtPtr Parser::register_statement() {
     if (!is_robosim()) {
         const Span sign = peek().span;
@@ -154,7 +156,7 @@ StmtPtr Parser::register_statement() {
 
 // ---------------------------------------------------------------- expressions
 
-/// `$n`, `$e?v`, `$e?$x`, `$e?v : p`. The predicate is an atom, a call or in brackets.
+/// Parses `$n`, `$e?v`, `$e?$x` or `$e?v : p`. The predicate p is an atom, a call or an expression in parentheses.
 ExprPtr Parser::parse_register() {
     if (!is_robosim()) {
         refuse_dialect(peek().span, "$", "a trigger receives an event, and a variable is read by its name");
@@ -195,7 +197,7 @@ bool Parser::at_simulation() const {
     return at_word("simulation") && peek(1).kind == TokenKind::identifier && at_word("of", 2);
 }
 
-/// `simulation N of M { cycleDef e … }`
+/// Parses `simulation N of M { cycleDef e … }`.
 void Parser::parse_simulation(File& file) {
     if (!is_robosim())
         refuse_dialect(peek().span, "simulation", "claims about cycles belong into a file of RoboSim (`.rsa`)");
@@ -218,7 +220,7 @@ void Parser::simulation_member(Simulation& simulation) {
         fail_expecting("`cycleDef`, `input context`, `output context` or the `}` of the simulation");
 }
 
-/// `schedulable`, after `X is`.
+/// Parses `schedulable` after `X is`.
 bool Parser::schedulable_property(Assertion& assertion) {
     if (!at_word("schedulable")) return false;
     if (!is_robosim())
@@ -228,7 +230,7 @@ bool Parser::schedulable_property(Assertion& assertion) {
     return true;
 }
 
-/// `cycleDef of X`, up to the name of the component.
+/// Parses `cycleDef of X`, up to the name of the component.
 bool Parser::cycle_parameter(AssertionParameter& parameter) {
     if (!at_word("cycleDef")) return false;
     if (!is_robosim())
@@ -241,7 +243,7 @@ bool Parser::cycle_parameter(AssertionParameter& parameter) {
     return true;
 }
 
-/// RoboSim has only a timed semantics.
+/// Reports `untimed` in a file of RoboSim, which has only a timed semantics.
 void Parser::refuse_untimed(AssertionTime time, Span word) {
     if (!is_robosim() || time != AssertionTime::untimed) return;
     diagnostics::Diagnostic* const finding =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements and communications (RoboChart.xtext: Statement to CommunicationStmt, Communication).
+// Parses statements and communications (RoboChart.xtext: Statement to CommunicationStmt, Communication).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ StmtPtr make_statement(StmtKind kind, Span begin) {
 
 }  // namespace
 
-/// `S; S; …`
+/// Parses `S; S; …`.
 StmtPtr Parser::parse_statement() {
     const Nesting nesting(*this);
     const Span begin = peek().span;
@@ -72,7 +72,7 @@ bool Parser::missing_semicolon() {
     return true;
 }
 
-/// `S <{ e }`
+/// Parses `S <{ e }`.
 StmtPtr Parser::timed_statement() {
     const Span begin = peek().span;
     StmtPtr inner = basic_statement();
@@ -133,7 +133,7 @@ StmtPtr Parser::if_statement() {
     return result;
 }
 
-/// `wait(e)`; `wait([m,n])` is a separate form.
+/// Parses `wait(e)` or `wait([m,n])`.
 StmtPtr Parser::wait_statement() {
     refuse_robochart(peek().span, "wait", "`exec` ends the cycle; to wait longer, compare a clock: `since(C) >= n`");
     StmtPtr result = make_statement(StmtKind::wait, expect_token("wait"));
@@ -160,8 +160,8 @@ StmtPtr Parser::communication_statement() {
     return result;
 }
 
-/// The position after the bracket that closes the bracket at the current token; no value if it is not closed. The two
-/// brackets may differ, because ranges are written `(a, b]`.
+/// Returns the position after the bracket that closes the bracket at the current token, or no value if it is not
+/// closed. The two brackets may differ, because ranges are written `(a, b]`.
 std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     constexpr std::array<std::string_view, 8> opening = {"[", "(", "{", "[|", "(|", "<{", "Set(", "Seq("};
     constexpr std::array<std::string_view, 5> closing = {"]", ")", "}", "|]", "|)"};
@@ -177,8 +177,8 @@ std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     return ahead;
 }
 
-/// True if member and index steps and `=` follow the name before the token `behind_name`. Any other use of `.` is a
-/// communication.
+/// True if the name before the token `behind_name` is followed by members and indices (possibly none) and then by `=`.
+/// Any other use of `.` is a communication.
 bool Parser::looks_like_assignment(std::size_t behind_name) const {
     std::size_t ahead = behind_name;
     while (peek(ahead).is_word("::")) ahead += 2;
@@ -195,7 +195,7 @@ bool Parser::looks_like_assignment(std::size_t behind_name) const {
     return peek(ahead).is_word("=") || (peek(ahead).is_word(":") && peek(ahead + 1).is_word("="));
 }
 
-/// `:=` is read as `=`.
+/// Reports `:=` and reads it as `=`.
 bool Parser::repair_assignment() {
     if (!at_token(":")) return false;
     const Span span = diagnostics::join_spans(peek().span, peek(1).span);
@@ -216,7 +216,7 @@ StmtPtr Parser::parse_assignment() {
     return result;
 }
 
-/// The error is at the place where `end` was expected; a note points at the `if`.
+/// Reports that `end` is missing, at the place where it was expected. A note points at the `if`.
 void Parser::if_without_end(Span word) {
     const Span place = missing_place();
     diagnostics::Diagnostic* const finding = report_missing("`end`, which closes the `if`");
@@ -259,7 +259,7 @@ std::unique_ptr<Communication> Parser::parse_communication() {
     return result;
 }
 
-/// `[| x = from |]`, `[| x = from | p |]`, `[| p |]`, `[| |]`
+/// Parses `[| x = from |]`, `[| x = from | p |]`, `[| p |]` or `[| |]`.
 void Parser::communication_predicate(Communication& communication) {
     if (peek().kind == TokenKind::identifier && peek(1).is_word("=")) {
         communication.from_variable = simple_name("a variable");
@@ -273,7 +273,7 @@ void Parser::communication_predicate(Communication& communication) {
     expect_token("|]");
 }
 
-/// A CallExp. Larger expressions are reported with a fix, and read as intended.
+/// Reads a CallExp. Larger expressions are reported with a fix, and read as intended.
 ExprPtr Parser::communicated_value() {
     const std::size_t start = at_;
     const bool negative = at_token("-");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types as written (RoboChart.xtext: Type to TypeRef). The weakest operator is `<->` (right-associative), then `->`
-// (right-associative), then `*` (n-ary; after the first `*`, only a name, a set, a sequence or parentheses may follow).
+// Parses types (RoboChart.xtext: Type to TypeRef). The operators, from the weakest to the strongest, are `<->`
+// (right-associative), `->` (right-associative) and `*` (n-ary). After the first `*`, only a name, a set, a sequence or
+// parentheses may follow.
 #include <fmt/format.h>
 
 #include "frontend/syntax/parser.hpp"
@@ -52,7 +53,7 @@ TypeExprPtr Parser::product_type() {
     return product;
 }
 
-/// `vector(T, n)`, `matrix(T, r, c)`
+/// Parses `vector(T, n)` or `matrix(T, r, c)`.
 TypeExprPtr Parser::vector_type() {
     if (!at_token("vector") && !at_token("matrix")) return atomic_type();
     const bool is_vector = at_token("vector");
@@ -69,7 +70,7 @@ TypeExprPtr Parser::vector_type() {
     return result;
 }
 
-/// `Set (T)`: read as `Set(T)`.
+/// Reports `Set (T)` and reads it as `Set(T)`.
 TypeExprPtr Parser::spaced_set() {
     const Token word = peek();
     const Span both = diagnostics::join_spans(word.span, peek(1).span);

@@ -84,7 +84,7 @@ std::string binary_text(const Expr& expr) {
     return fmt::format("{} {} {}", optional_text(expr.args[0]), to_text(*expr.binary), optional_text(expr.args[1]));
 }
 
-/// A blank is written after `<` if a set follows, because `<{` is the token of deadlines.
+/// Prints a sequence. A blank follows `<` if the first element is a set, because `<{` is the token of deadlines.
 std::string sequence_text(const Expr& expr) {
     const std::string elements = list_text(expr.args);
     return (elements.starts_with("{") ? "< " : "<") + elements + ">";
@@ -95,7 +95,7 @@ std::string call_text(const Expr& expr) {
                        list_text(expr.args));
 }
 
-/// `$n`, `$e?v : p`
+/// Prints `$n` or `$e?v : p`.
 std::string register_text(const Expr& expr) {
     std::string out = "$" + written_name(expr.name);
     if (expr.args.empty()) return out;
@@ -103,7 +103,7 @@ std::string register_text(const Expr& expr) {
     return expr.args[1] ? out + " : " + optional_text(expr.args[1]) : out;
 }
 
-/// Forms that bind names.
+/// Prints an expression that binds names.
 std::string binder_text(const Expr& expr) {
     switch (expr.kind) {
         case ExprKind::let:
@@ -125,7 +125,7 @@ std::string binder_text(const Expr& expr) {
     }
 }
 
-/// A name as an expression. A name that would begin a path formula is escaped, which is always allowed.
+/// Returns a name as an expression. A name that would begin a path formula is escaped, which is always allowed.
 std::string written_value(const QualifiedName& name) {
     constexpr std::array<std::string_view, 10> words = {"Exists", "Finally", "Forall", "Globally", "Next",
                                                         "Prob",   "Release", "Reward", "Until",    "Weak"};
@@ -135,7 +135,8 @@ std::string written_value(const QualifiedName& name) {
 
 }  // namespace
 
-/// `Set` and `Seq` are reserved only before a bracket, but escaping them is always allowed.
+/// Returns a name, escaped if necessary. `Set` and `Seq` are reserved only before a bracket, but escaping them is
+/// always allowed.
 std::string written_name(std::string_view name) {
     const bool escaped = is_reserved(name) || name == "Set" || name == "Seq";
     return (escaped ? "^" : "") + std::string(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints whole files as RoboChart text, one member a line. See print.hpp.
+// Prints whole files as RoboChart text, with one member per line. See print.hpp.
 #include <fmt/format.h>
 
 #include "frontend/syntax/print.hpp"
@@ -8,7 +8,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Writes indented lines.
+/// Prints a file as indented lines.
 class Printer {
 public:
     void print_declaration(const Declaration& declaration);
@@ -96,7 +96,7 @@ void Printer::print_clauses(const Context& context) {
         print_line(fmt::format("{} {}", to_text(clause.use), written_name(clause.name)));
 }
 
-/// The constructs of RoboSim: the length of a cycle, and the contexts.
+/// Prints the constructs of RoboSim: the length of a cycle, and the contexts.
 void Printer::print_cycle(const Context& context) {
     if (context.cycle) print_line("cycleDef " + to_text(*context.cycle));
     for (const auto* registers : {&context.input, &context.output})
@@ -269,7 +269,7 @@ std::string claim(const Assertion& assertion) {
     return fmt::format("clock {} is {}initialised", other, negated ? "not " : "");
 }
 
-/// `constant c`, `parameter p` or `cycleDef`.
+/// Prints `constant c`, `parameter p` or `cycleDef`.
 std::string set_name(const AssertionParameter& parameter) {
     switch (parameter.kind) {
         case ParameterKind::constant:
@@ -282,7 +282,7 @@ std::string set_name(const AssertionParameter& parameter) {
     return "cycleDef";
 }
 
-/// `with P`, or `with P, P and P`.
+/// Prints `with P` or `with P, P and P`.
 std::string parameter_list(const std::vector<AssertionParameter>& list) {
     std::string out;
     for (std::size_t i = 0; i < list.size(); ++i) {

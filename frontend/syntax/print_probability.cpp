@@ -19,7 +19,7 @@ std::string join_with(const Items& items, std::string_view separator, Write writ
     return out;
 }
 
-/// `Finally <=10 φ`, `φ Until ψ`
+/// Prints `Finally <=10 φ` or `φ Until ψ`.
 std::string path_text(const Expr& expr) {
     const PathOp op = expr.path.value_or(PathOp::total);
     std::string out(to_text(op));
@@ -28,7 +28,7 @@ std::string path_text(const Expr& expr) {
     return expr.args.size() > 2 ? text_or_empty(expr.args[1]) + " " + out : out;
 }
 
-/// `Prob=? of [φ] using sim with CI at …`
+/// Prints `Prob=? of [φ] using sim with CI at …`.
 std::string quantitative_text(const Expr& expr) {
     std::string out = expr.kind == ExprKind::reward ? "Reward" : "Prob";
     if (!expr.name.empty()) out += " {" + written_name(expr.name) + "}";
@@ -94,7 +94,7 @@ std::string module_text(const ProbabilisticModule& module) {
     return out + "}";
 }
 
-/// The text after the name of a definition and its `:` or `=`.
+/// Returns the text after the name of a definition and its `:` or `=`.
 std::string definition_text(const ProbabilisticDefinition& definition) {
     switch (definition.kind) {
         case ProbabilisticKind::constant:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rule table of the parser: all errors in a text that are found before names are resolved.
+// Lists the rules of the parser: all errors in a text that are found before names are resolved.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline constexpr const Rule* rule_list[] = {
 #undef RULE
 };
 
-/// True if the rule is one of parsing.
+/// True if the rule is in the table of the parser.
 [[nodiscard]] inline bool is_syntax(const Rule& rule) {
     return std::ranges::find(rule_list, &rule) != std::end(rule_list);
 }

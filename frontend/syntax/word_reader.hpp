@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the tokens of a text in RoboChart's notation one after another, for the small notations of scenarios and
-// mappings. Reading stops at the first syntax error.
+// Reads the tokens of a text one after the other. Scenarios and mappings are small notations with RoboChart's tokens.
+// Reading stops at the first syntax error.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct Word {
 
 class WordReader {
 public:
-    /// A syntax error is reported by the rule `syntax`, with what was expected, what was found, and the matching row of
-    /// `advice`.
+    /// Syntax errors are reported with the rule `syntax`. The message contains the expected and the actual text, and
+    /// the matching row of `advice`.
     WordReader(const diagnostics::SourceManager&, diagnostics::SourceId, const diagnostics::Rule& syntax,
                diagnostics::Diagnostics&, std::span<const diagnostics::Advice> advice = {});
 
@@ -34,23 +34,24 @@ public:
     [[nodiscard]] bool at_number() const;
     [[nodiscard]] Token current_token() const { return stream_.tokens.token_at(next_); }
     [[nodiscard]] diagnostics::Span last_span() const { return last_; }
-    /// The text from a place to the last token read, on one line.
+    /// Returns the text from a place to the last token read, on one line.
     [[nodiscard]] std::string text_since(diagnostics::Span from) const;
 
-    /// Consumes the next token if it is this word; otherwise returns false.
+    /// Consumes the next token if it is this word. Otherwise returns false.
     bool take_word(std::string_view word);
     void expect_word(std::string_view word);
-    /// Consumes any name. `what` names it in the error message.
+    /// Consumes any name. `what` is its description in the error message.
     Word name(std::string_view what);
-    /// `a::b::c`.
+    /// Consumes a qualified name `a::b::c`.
     Word qualified_name(std::string_view what);
-    /// A string without its quotes.
+    /// Reads a string without its quotes.
     std::string read_quoted(std::string_view what);
 
-    /// `words`: the words that are allowed here; the nearest is suggested.
+    /// Reports a syntax error. `words` are the words that are allowed here. The message suggests the word nearest to
+    /// the text.
     void fail_expecting(std::string_view expected, const std::vector<std::string>& words = {});
-    /// Reports a finding. The result is valid until the next report. After a syntax error, no finding is reported and
-    /// the result is null.
+    /// Reports a finding. The returned pointer is valid until the next report. After a syntax error, no finding is
+    /// reported and the result is null.
     diagnostics::Diagnostic* report(const diagnostics::Rule&, diagnostics::Span, std::vector<std::string> arguments);
 
 protected:

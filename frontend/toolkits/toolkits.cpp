@@ -11,14 +11,14 @@ namespace robochart::frontend {
 
 namespace {
 
-/// Core is always visible; other toolkits are visible in files that import them.
+/// True if the package is core, which is always visible, or if the file imports it.
 bool imports_package(const File& file, std::string_view package) {
     if (package == core_package) return true;
     return std::ranges::any_of(file.imports,
                                [&](const Import& import) { return import.name.parts.front() == package; });
 }
 
-/// The source of a toolkit. Its text is added at the first call.
+/// Returns the source of a toolkit. The first call adds the text to `sources`.
 diagnostics::SourceId text_of(const Toolkit& toolkit, diagnostics::SourceManager& sources) {
     const std::string path = "<library>/" + std::string(toolkit.package) + ".rct";
     for (std::uint32_t i = 0; i < sources.size(); ++i)
@@ -42,7 +42,7 @@ void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics
     std::set<std::string_view> added;
     for (const auto& file : model.files)
         for (const Toolkit& toolkit : all_toolkits())
-            // The project contains this package.
+            // The project itself contains this package.
             if (file->package.text() == toolkit.package) added.insert(toolkit.package);
     // The list grows during the iteration, because toolkits import each other.
     for (std::size_t i = 0; i < model.files.size(); ++i)

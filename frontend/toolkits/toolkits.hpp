@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The libraries of the language (core, set_toolkit and others), shipped inside the tool (private to the front end).
+// Provides the libraries of the language (core, set_toolkit and others), which are part of the program (private to the
+// front end).
 #pragma once
 
 #include <string_view>

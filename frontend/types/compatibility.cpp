@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// compat(a, b) of the type provider: whether a value of type a may be used where b is expected (language reference 2,
-// Types).
+// Decides compat(a, b) of RoboTool's type provider: a value of type a may be used where b is expected (language
+// reference 2, Types).
 #include <algorithm>
 
 #include "frontend/types/type_algebra.hpp"
@@ -126,10 +126,10 @@ bool is_free(const Type& type) {
 bool is_compatible(const TypePtr& written_from, const TypePtr& written_to) {
     const TypePtr from = simplify_type(written_from);
     const TypePtr to = simplify_type(written_to);
-    // An expression without a type has been reported already.
+    // The error in an expression without a type has been reported already.
     if (!from || !to || is_free(*from) || is_free(*to)) return true;
     if (from->form == to->form) return same_form(*from, *to);
-    // nat -> int -> real
+    // nat converts to int, and int to real.
     if (is_number(from) && is_number(to)) return from->form < to->form;
     if (to->form == TypeForm::set || to->form == TypeForm::relation) {
         const TypePtr a = as_set(from);

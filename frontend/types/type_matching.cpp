@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of generic functions: matches parameter types with variables `?X` against the types of the arguments.
+// Determines the types of type variables in calls of generic functions: matches parameter types with variables `?X`
+// against the types of the arguments.
 #include "frontend/types/type_algebra.hpp"
 
 namespace robochart::frontend {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts types as written to semantic types.
+// Converts the type expressions of the source text to semantic types.
 #include <array>
 #include <charconv>
 
@@ -11,7 +11,7 @@ namespace robochart::frontend {
 
 namespace {
 
-/// The types of package core, which are always visible.
+/// Returns the types of package core, which are always visible.
 TypePtr core_type(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, TypeForm>, 5> core = {{{"nat", TypeForm::nat},
                                                                             {"int", TypeForm::integer},
@@ -55,7 +55,8 @@ TypePtr Typer::named_type(TypeExpr& written, Surroundings& around) {
     return written.target != nullptr ? declared_type(static_cast<const TypeDeclaration&>(*written.target)) : nullptr;
 }
 
-/// Sizes are literals or constants. The size is known if the constant has a literal value.
+/// Resolves the size of a vector or matrix: a literal or a constant. Sets `value` if the size is a literal or the
+/// constant has a literal value.
 void Typer::size(Expr& expr, Surroundings& around, long& value) {
     const TypePtr type = this->assign_type(expr, around);
     const Expr& inner = strip_parentheses(expr);

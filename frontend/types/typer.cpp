@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of expressions: literals, collections, conditionals. The rules are those of the type provider (language
+// Computes the types of literals, collections and conditionals. The rules are those of the type provider (language
 // reference 2, Types).
 #include "frontend/types/typer.hpp"
 
@@ -108,8 +108,8 @@ void Typer::check_boolean(const ExprPtr& expr, Surroundings& around, const std::
         finder_.out().report(rules::condition_boolean, expr->span, {what, to_string(type)});
 }
 
-/// Types the elements of a literal. The parts of a tuple may have different types; the elements of a set, a sequence or
-/// a range have one common type.
+/// Computes the types of the elements of a literal. The parts of a tuple may have different types. The elements of a
+/// set, a sequence or a range have one common type.
 TypePtr Typer::type_elements(Expr& expr, Surroundings& around) {
     if (expr.kind == ExprKind::set_range || expr.kind == ExprKind::range) return type_range(expr, around);
     if (expr.kind != ExprKind::tuple)
@@ -120,7 +120,7 @@ TypePtr Typer::type_elements(Expr& expr, Surroundings& around) {
     return known ? make_type(TypeForm::product, std::move(parts)) : nullptr;
 }
 
-/// The type of a range of numbers: a set of the larger of the two types.
+/// Returns the type of a range of numbers: a set of the larger of the two types.
 TypePtr Typer::type_range(Expr& expr, Surroundings& around) {
     TypePtr both = make_type(TypeForm::nat);
     for (const ExprPtr& arg : expr.args) {
@@ -157,7 +157,7 @@ TypePtr Typer::type_conditional(Expr& expr, Surroundings& around) {
     return both;
 }
 
-/// `[| … |]`, inverse and transpose.
+/// Computes the type of a matrix `[| … |]`, an inverse or a transpose.
 TypePtr Typer::type_matrix(Expr& expr, Surroundings& around) {
     if (expr.kind == ExprKind::matrix) {
         const TypePtr all = type_all(expr, around, TypeForm::sequence);
@@ -192,7 +192,7 @@ TypePtr Typer::type_cast(Expr& expr, Surroundings& around) {
 
 // ---------------------------------------------------------------- binders
 
-/// Quantifiers, lambda, definite descriptions and comprehensions.
+/// Computes the type of a quantifier, lambda expression, definite description or comprehension.
 TypePtr Typer::type_binder(Expr& expr, Surroundings& around) {
     std::vector<TypePtr> types;
     bool known = true;
@@ -223,7 +223,7 @@ TypePtr Typer::bound_body(Expr& expr, Surroundings& around, const TypePtr& varia
     return make_type(TypeForm::boolean);
 }
 
-/// Later bindings of a `let` see the earlier ones.
+/// Computes the type of a `let`. Each of its bindings may use the earlier ones.
 TypePtr Typer::type_let(Expr& expr, Surroundings& around) {
     const std::size_t outer = around.bound.size();
     for (Binding& binding : expr.bindings) {

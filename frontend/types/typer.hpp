@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolves names and computes types inside types, expressions, statements and communications (private to the front
-// end). Every method fills the `target` and `type` fields that it visits, and reports errors. A wrong part gets no
-// type, and rules ignore parts without a type.
+// end). Every method fills the `target` and `type` fields that it visits, and reports errors. An expression with an
+// error gets no type, and rules ignore expressions without a type.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace robochart::frontend {
 
-/// The context of an expression.
+/// The declarations that are visible to an expression.
 struct Surroundings {
     Place place;
     const Scope* scope = nullptr;          ///< the scope of the machine, operation or interface; null at file level
@@ -29,7 +29,7 @@ public:
 
     // Types (type_reader.cpp)
     TypePtr assign_type(TypeExpr& written, Surroundings& around);
-    /// The type of a type declaration.
+    /// Returns the type of a type declaration.
     [[nodiscard]] TypePtr declared_type(const TypeDeclaration& declaration) const;
 
     // Expressions (typer.cpp, typer_names.cpp, typer_operators.cpp, typer_binders.cpp, typer_calls.cpp)
@@ -37,7 +37,7 @@ public:
     TypePtr assign_type(const ExprPtr& expr, Surroundings& around) {
         return expr ? assign_type(*expr, around) : nullptr;
     }
-    /// Types an expression that must be boolean; the message begins with `what`.
+    /// Computes the type of an expression, and reports an error if it is not boolean. The message begins with `what`.
     void check_boolean(const ExprPtr& expr, Surroundings& around, const std::string& what);
 
     // Statements (typer_statements.cpp)
@@ -107,7 +107,7 @@ private:
     void check_received(const Communication& communication, const Event& event);
     const Variable* stored_into(const QualifiedName& name, Surroundings& around);
 
-    /// The reason why a member of a component was not found, if more than the member is missing.
+    /// Describes why a member of a component was not found.
     struct Missing {
         bool reported = false;               ///< the name was already reported, or its target cannot be known
         const Context* interface = nullptr;  ///< interface that declares the member but has no clause in the component
@@ -122,7 +122,7 @@ private:
 
 /// Removes parentheses around an expression.
 [[nodiscard]] const Expr& strip_parentheses(const Expr& expr);
-/// The plural ending for n items, as in "1 argument" and "2 arguments".
+/// Returns the plural ending for n items, as in "1 argument" and "2 arguments".
 [[nodiscard]] std::string plural(std::size_t n);
 
 }  // namespace robochart::frontend

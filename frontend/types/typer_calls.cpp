@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of functions, literals and function values; parts of tuples, vectors and records.
+// Computes the types of calls (of functions, literals and function values) and of parts of tuples, vectors and records.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -135,7 +135,7 @@ void Typer::check_indices(const Expr& expr) {
     }
 }
 
-/// The parts of a tuple have different types, so the index must be a literal.
+/// Computes the type of a part of a tuple. The index must be a literal, because the parts have different types.
 TypePtr Typer::tuple_part(Expr& expr, const TypePtr& tuple) {
     const Expr& place = strip_parentheses(*expr.args[1]);
     std::size_t number = 0;

@@ -27,7 +27,7 @@ std::string describe_component(const Declaration* component) {
     return component != nullptr ? fmt::format("{} `{}`", to_text(component->kind), component->name) : "this file";
 }
 
-/// The state or final state with this name below a container, searched breadth-first from the outside.
+/// Returns the state or final state with this name below a container, searched breadth-first from the outside.
 const State* breadth_first(const NodeContainer& top, const QualifiedName& name, DeclKind kind) {
     std::deque<const NodeContainer*> level{&top};
     while (!level.empty()) {
@@ -94,8 +94,8 @@ void Typer::unknown_value(const QualifiedName& name, Surroundings& around) {
     }
 }
 
-/// A function that is used as a value. If it has no parameters, its result is meant, because no value has the type of a
-/// function without parameters.
+/// Returns the type of a function that is used as a value. The name of a function without parameters denotes its
+/// result, because no value has the type of a function without parameters.
 TypePtr Typer::bare_function(const Expr& expr, const Function& function) {
     if (!function.parameters.empty()) return function_value(function);
     auto& finding = finder_.out().report(rules::function_bare, expr.span, {function.name});

@@ -27,7 +27,7 @@ bool sizes_match(long a, long b) {
     return a < 0 || b < 0 || a == b;
 }
 
-/// Products of numbers, vectors and matrices; null if undefined.
+/// Returns the type of a product of numbers, vectors or matrices, or null if the product is undefined.
 TypePtr product_type(const TypePtr& left, const TypePtr& right) {
     if (is_number(left) && is_number(right)) return join_types(left, right);
     const bool left_block = is_form(left, TypeForm::vector) || is_form(left, TypeForm::matrix);
@@ -42,7 +42,7 @@ TypePtr product_type(const TypePtr& left, const TypePtr& right) {
     if (!left_block) return nullptr;
     const bool left_vector = is_form(left, TypeForm::vector);
     const bool right_vector = is_form(right, TypeForm::vector);
-    // A vector is a column of n rows with one entry; the product of two vectors is the dot product.
+    // A vector is a column of n rows with one entry. The product of two vectors is the dot product.
     const bool column_first = left_vector && !right_vector;
     if (!sizes_match(column_first ? 1 : left->sizes.back(), right->sizes.front())) return nullptr;
     if (left_vector && right_vector) return element;
@@ -51,7 +51,7 @@ TypePtr product_type(const TypePtr& left, const TypePtr& right) {
     return make_matrix(element, left->sizes[0], right->sizes[1]);
 }
 
-/// Sums and differences of numbers, and of vectors or matrices of equal size.
+/// Returns the type of a sum or difference of numbers, or of vectors or matrices of equal size.
 TypePtr sum_type(const TypePtr& left, const TypePtr& right, bool minus) {
     const TypePtr both = join_types(left, right);
     if (!both) return nullptr;
@@ -153,7 +153,7 @@ TypePtr Typer::type_membership(Expr& expr, const TypePtr& left, const TypePtr& r
     if (set && (is_compatible(left, set->args[0]) || is_compatible(set->args[0], left))) return boolean;
     auto& finding = report_mismatch(expr, left, right);
     if (!is_form(right, TypeForm::sequence) || !is_compatible(left, right->args[0])) return boolean;
-    // A sequence is a set of pairs of position and element, but the author meant the element alone.
+    // A sequence is a set of pairs of position and element, but the author probably meant the elements.
     finding.notes.push_back({{},
                              "a sequence is a set of pairs `(| place, element |)`; `ran` of relation_toolkit is the "
                              "set of its elements"});

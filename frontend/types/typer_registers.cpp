@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves the names after `$`, which RoboSim reads from and writes to registers. The candidates are those of
-// RoboTool's scoping, without its fallback to names that have no register.
+// Resolves the names after `$`, which denote the registers of RoboSim. The names in scope are those of RoboTool, except
+// that RoboTool also accepts some names that have no register.
 #include <fmt/format.h>
 
 #include "base/diagnostics/spelling.hpp"
@@ -34,7 +34,8 @@ TypePtr Typer::type_register(Expr& expr, Surroundings& around) {
     return read_register(expr, around);
 }
 
-/// `$e` is true if the register of e is full; `$x` is the value of x.
+/// Computes the type of a read of a register: `$e` is true if the register of the event e contains a value, and `$x` is
+/// the value of the variable x.
 TypePtr Typer::read_register(Expr& expr, Surroundings& around) {
     const TypePtr boolean = make_type(TypeForm::boolean);
     const Event* const input = find_in(around.registers->inputs.events, expr.name);
@@ -60,7 +61,7 @@ TypePtr Typer::read_register(Expr& expr, Surroundings& around) {
     return variable != nullptr ? variable->type : nullptr;
 }
 
-/// `$e?v`, `$e?$x`: the event has a type that the variable can hold. In the predicate, v is the received value.
+/// Checks `$e?v` and `$e?$x`: the variable can hold the values of the event. In the predicate, v is the received value.
 void Typer::check_store(Expr& expr, Surroundings& around) {
     Expr& stored = *expr.args[0];
     const auto* event = dynamic_cast<const Event*>(expr.target);
@@ -93,7 +94,7 @@ void Typer::check_store(Expr& expr, Surroundings& around) {
         .notes.push_back({event->name_span, "the event is declared here"});
 }
 
-/// The variable of `$x = e` and of `$e?$x`.
+/// Returns the type of the variable x in `$x = e` and `$e?$x`.
 TypePtr Typer::written_register(Expr& expr, Surroundings& around) {
     if (const Variable* variable = find_in(around.registers->outputs.variables, expr.name)) {
         expr.target = variable;
@@ -110,7 +111,7 @@ TypePtr Typer::written_register(Expr& expr, Surroundings& around) {
     return nullptr;
 }
 
-/// Reports a name after `$` that no context has. `whole` includes the `$`.
+/// Reports a name after `$` that neither context declares. `whole` includes the `$`.
 void Typer::unknown_register(const QualifiedName& name, Span whole, bool written, Surroundings& around) {
     const std::string& simple = name.parts.back();
     const Variable* const own = around.scope != nullptr ? find_in(around.scope->variables, name) : nullptr;
@@ -143,7 +144,7 @@ void Typer::unknown_register(const QualifiedName& name, Span whole, bool written
     if (!note(DeclKind::event, "uses")) (void)note(DeclKind::variable, "requires");
 }
 
-/// The event of `$e`, `$e!v` and `$e.v`.
+/// Returns the event e of `$e`, `$e!v` or `$e.v`.
 const Event* Typer::output_event(const Communication& communication, Surroundings& around) {
     if (around.registers == nullptr) {
         finder_.out().report(rules::no_registers, communication.span, {to_text(communication)});

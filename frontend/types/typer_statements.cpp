@@ -53,7 +53,7 @@ void Typer::check_wait(const ExprPtr& duration, Surroundings& around) {
         finder_.out().report(rules::wait_type, duration->span, {to_string(type)});
 }
 
-/// True for `C = 0` and `reset(C)` with a clock C that is not a variable; the author means `#C`.
+/// True for `C = 0` and `reset(C)` if C is a clock and not a variable, so that the author probably means `#C`.
 bool Typer::resets_clock(const Stmt& statement, const Expr& named, std::string_view what, Surroundings& around) {
     const bool plain = named.kind == ExprKind::name && named.name.parts.size() == 1;
     if (!plain || around.scope == nullptr) return false;
@@ -128,7 +128,8 @@ void Typer::check_call(Stmt& statement, Surroundings& around) {
     }
 }
 
-/// A call sees only required signatures. The message therefore names the component that should require the operation.
+/// Reports a call of an unknown operation. Only the signatures that the component requires are visible to a call, so
+/// the message names the component that should require the operation.
 void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
     const Declaration* component = component_around(around.place.inside);
     const std::string where = component != nullptr ? fmt::format("required by `{}`", component->name) : "here";
@@ -236,8 +237,8 @@ void Typer::check_communication(Communication& communication, Surroundings& arou
     if (event != nullptr) check_communicated(communication, *event, around);
 }
 
-/// RoboTool checks compat(variable, event), which allows narrowing. This check also allows a wider variable, which is
-/// safer.
+/// Checks that the variable can store the values of the event. RoboTool checks compat(variable, event), which allows
+/// narrowing. This check also allows a wider variable, which is safer.
 void Typer::check_received(const Communication& communication, const Event& event) {
     const auto* variable = static_cast<const Variable*>(communication.variable_target);
     if (variable == nullptr || !variable->type || is_compatible(event.type, variable->type)) return;
@@ -248,7 +249,7 @@ void Typer::check_received(const Communication& communication, const Event& even
         .notes.push_back({event.name_span, "the event is declared here"});
 }
 
-/// Rules Tg2 and Tg5, and the types of communicated values.
+/// Checks rules Tg2 and Tg5, and the types of communicated values.
 void Typer::check_communicated(Communication& communication, const Event& event, Surroundings&) {
     const bool simple = communication.kind == CommKind::simple;
     const bool input = communication.kind == CommKind::input;

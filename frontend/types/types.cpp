@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints types; compatibility is in compatibility.cpp.
+// Prints types. The compatibility of types is in compatibility.cpp.
 #include "frontend/types/types.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::string product_text(const Type& type) {
     return type.args.empty() ? "()" : out;
 }
 
-/// A product binds more tightly than arrows, so it needs no parentheses next to them.
+/// Prints an operand of an arrow. A product binds more tightly than arrows, so it needs no parentheses.
 std::string beside_arrow(const TypePtr& type) {
     return type && type->form == TypeForm::product ? product_text(*type) : operand_text(type);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Semantic types of RoboChart expressions, and the compatibility relation of RoboChartTypeProvider (reference:
-// RoboChart manual, type system; rules RC-T in docs/rules).
+// Defines the types of RoboChart expressions, and the compatibility relation of RoboTool's RoboChartTypeProvider
+// (reference: RoboChart manual, type system; rules RC-T in docs/rules).
 #pragma once
 
 #include <memory>
@@ -42,9 +42,10 @@ struct Type {
     bool numeric = false;  ///< variable: ?Number of a toolkit, which stands for nat, int or real
 };
 
-/// `T` as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".
+/// Returns the type as RoboChart writes it, e.g. "Seq(nat)", "nat * boolean".
 [[nodiscard]] std::string to_string(const TypePtr&);
-/// compat(a, b): true if a value of type `from` may be used where `to` is expected.
+/// True if a value of type `from` may be used where `to` is expected: the relation compat(from, to) of the type
+/// provider.
 [[nodiscard]] bool is_compatible(const TypePtr& from, const TypePtr& to);
 
 }  // namespace robochart::frontend

@@ -28,7 +28,7 @@ bool have_small_carriers(const System& system, const Instantiation& instantiatio
     return true;
 }
 
-/// The types of data that could be replaced.
+/// Returns the types of data that could be replaced.
 std::set<TypeId> replaceable_types(const System& system) {
     std::set<TypeId> result;
     const Places places(system);
@@ -82,13 +82,13 @@ public:
             terms_[places_.class_of(holder_of(relation))] = relation.text;
     }
 
-    /// A relation whose holder has no classes.
+    /// Returns a relation whose holder has no classes.
     [[nodiscard]] std::optional<GroupId> relation_without_classes() const {
         for (const Relation& relation : related_.relations)
             if (!classes_.contains(places_.class_of(holder_of(relation)))) return relation.group;
         return std::nullopt;
     }
-    /// The conditions on values that have no classes, although no other use requires the values themselves.
+    /// Returns the conditions on values that have no classes and of which no other use requires the values themselves.
     [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
         std::set<const Expr*> result;
         for (const auto& [flow, uses] : uses_) {
@@ -98,7 +98,7 @@ public:
         }
         return result;
     }
-    /// No value if no data are replaced.
+    /// Returns no value if no data are replaced.
     [[nodiscard]] std::optional<ClassModel> result() const;
     [[nodiscard]] std::vector<KeptData> kept_data() const {
         std::vector<KeptData> result;
@@ -120,7 +120,7 @@ private:
     std::map<PlaceId, Uses> uses_;
     std::map<PlaceId, ValueClasses> classes_;
     std::map<PlaceId, Keep> kept_;
-    std::map<PlaceId, std::string> terms_;  ///< of flow classes of holders
+    std::map<PlaceId, std::string> terms_;  ///< the terms of the holders, by flow class
 };
 
 RelatedVariables Attempt::described(const Relation& relation) const {
@@ -172,7 +172,7 @@ RelatedSystem related_system(const System& system, const Instantiation& instanti
                              const std::set<GroupId>& refused) {
     const Sampling sampling(system, instantiation);
     Places places(system);
-    (void)collect_uses(system, sampling, places);  // unites the places that values are copied between
+    (void)collect_uses(system, sampling, places);  // unites the places between which values are copied
     return relate_variables(system, sampling, places, refused);
 }
 

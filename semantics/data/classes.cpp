@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t most_conditions = 64;
 constexpr std::size_t most_classes = 256;
-constexpr std::size_t most_solver_numbers = 8;  // in one value, of those that the solver reads
+constexpr std::size_t most_solver_numbers = 8;  // limit on the numbers in one value that the solver reads
 
-/// Collects the kinds of the leaves of a type: parts without parts, such as numbers, and also sequences, functions,
-/// relations and matrices. Recursion depth: the depth of types.
+/// Collects the kinds of the leaves of a type. Leaves are types without parts, such as numbers, and also sequences,
+/// functions, relations and matrices. The recursion is as deep as the type.
 void collect_leaves(const System& system, TypeId id, std::set<TypeKind>& leaves) {
     const Type& type = system.type(id);
     if (type.kind == TypeKind::sequence) leaves.insert(type.kind);
@@ -36,8 +36,9 @@ public:
     Division(const System& system, const Sampling& sampling, TypeId type, const Uses& uses)
         : system_(system), sampling_(sampling), type_(type), uses_(uses) {}
 
-    /// Classes of all values of the type, or of the values that occur. No value if the conditions have other forms.
-    /// `only_by_events` is true if only events provide the values; `only_copied` is true if no value is computed.
+    /// Returns the classes of all values of the type, or of the values that occur. Returns no value if the conditions
+    /// have other forms. `only_by_events` is true if only events provide the values. `only_copied` is true if no value
+    /// is computed.
     std::optional<ValueClasses> divide(bool all_values, bool only_by_events, bool only_copied);
     /// True if the division ended because there are too many classes.
     [[nodiscard]] bool has_too_many() const { return result_.witnesses.size() > most_classes; }
@@ -77,7 +78,7 @@ std::optional<Division::Answers> Division::answers_for(const Value& value) const
     return result;
 }
 
-/// The default value first.
+/// Returns the values that the model writes. The default value is the first.
 std::vector<Value> Division::written_values() const {
     std::vector<Value> result{default_value(system_, sampling_.instantiation(), type_)};
     for (const Written& written : uses_.writes)
@@ -113,7 +114,8 @@ bool Division::is_refused(const Answers& answers) const {
     return true;
 }
 
-/// A refused value is never stored, so it may belong to any class. It belongs to the first one.
+/// Adds a value to its class. A value that no transition takes is never stored, so it may belong to any class. It is
+/// added to the first one.
 bool Division::add_value(const Value& value, bool written) {
     const auto answers = answers_for(value);
     if (!answers) return false;
@@ -128,11 +130,12 @@ bool Division::add_value(const Value& value, bool written) {
     return !has_too_many();
 }
 
-/// If values are only copied, the classes are the values that the model writes, and one further value. With only one
-/// class, two outputs with different values would have the same name, and a nondeterministic model could seem
-/// deterministic. These classes are enough: if outputs of v and of another value are possible after one trace, they are
-/// also possible after the following renaming: v becomes the further value, or stays if the model writes it, and all
-/// other values become one value that the model writes (Lazić, A semantic study of data independence, 1999, chapter 5).
+/// Computes the classes. If values are only copied, the classes are the values that the model writes, and one further
+/// value. With only one class, two outputs with different values would have the same name, and a nondeterministic model
+/// could seem deterministic. These classes suffice for the following reason. Suppose that outputs of v and of another
+/// value are possible after one trace. Rename v to the further value, unless the model writes v, and rename all other
+/// values to one value that the model writes. Both outputs are also possible after the renamed trace (Lazić, A semantic
+/// study of data independence, 1999, chapter 5).
 std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_events, bool only_copied) {
     if (uses_.conditions.size() > most_conditions) return std::nullopt;
     only_by_events_ = only_by_events;
@@ -173,7 +176,8 @@ private:
         return std::ranges::any_of(uses.writes, [](const Written& written) { return !written.closed; });
     }
 
-    /// The class model can choose the class of a value when a statement computes it, but not that of an initial value.
+    /// True if the class model may choose the classes of computed values. It chooses a class when a statement computes
+    /// the value, so this is not possible for initial values.
     [[nodiscard]] bool may_be_chosen(const Uses& uses) const {
         return computed_ == Computed::freely && std::ranges::none_of(uses.writes, [](const Written& written) {
                    return written.initial && !written.closed;
@@ -182,7 +186,7 @@ private:
 
     [[nodiscard]] bool from_outside(PlaceId flow) const { return places_[flow].input || places_[flow].shared; }
 
-    /// A reason to keep the values that does not depend on other flow classes or on the form of conditions.
+    /// Returns a reason to keep the values that does not depend on other flow classes or on the form of conditions.
     [[nodiscard]] std::optional<Keep> reason_to_keep(PlaceId flow, const Uses& uses) const {
         const Place& place = places_[flow];
         if (!is_replaceable(system_, place.type)) return Keep{KeepReason::type, {}};
@@ -208,7 +212,7 @@ private:
             kept_.emplace(flow, reason_without_classes(place.type, uses, division.has_too_many()));
     }
 
-    /// The reason why the conditions give no classes.
+    /// Returns the reason why the conditions give no classes.
     [[nodiscard]] Keep reason_without_classes(TypeId type, const Uses& uses, bool too_many) const {
         for (const Condition& condition : uses.conditions)
             if (!can_divide(system_, sampling_, condition.machine, type, *condition.body))
@@ -231,8 +235,8 @@ private:
         return {sequences.has_both_extremes() ? KeepReason::extremes : KeepReason::classes, {}};
     }
 
-    /// The chosen flow classes whose values cannot be computed: they come from outside, or are computed from such
-    /// values.
+    /// Returns the flow classes whose values this program cannot compute: they come from outside, or are computed from
+    /// values that come from outside.
     [[nodiscard]] std::set<PlaceId> unknown_values() const {
         std::set<PlaceId> unknown;
         for (const auto& [flow, classes] : chosen_)
@@ -246,7 +250,7 @@ private:
         return unknown;
     }
 
-    /// Whether the values can be computed from carriers.
+    /// True if this program can compute the values from carriers.
     [[nodiscard]] bool is_known(const Uses& uses, PlaceId flow, const std::set<PlaceId>& unknown) const {
         return computed_ == Computed::exactly && is_computed(uses) && !unknown.contains(flow);
     }
@@ -258,7 +262,8 @@ private:
         return result;
     }
 
-    /// Removes a flow class whose values can be computed, or a flow class from which a kept value is computed.
+    /// Lets one more flow class keep its values: a class whose values this program can compute, or a class from which a
+    /// kept value is computed. Returns false if there is none.
     bool give_up_one() {
         const std::set<PlaceId> unknown = unknown_values();
         for (const auto& [flow, uses] : uses_) {
@@ -274,7 +279,7 @@ private:
         }
         return false;
     }
-    /// Returns false if the flow class already keeps its values.
+    /// Records that the flow class keeps its values. Returns false if it already keeps them.
     bool keep_values(PlaceId flow, const Keep& keep) {
         if (chosen_.erase(flow) == 0) return false;
         kept_.emplace(flow, keep);

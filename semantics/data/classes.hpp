@@ -18,15 +18,14 @@ struct ValueClasses {
     std::vector<Value> witnesses;
     /// The class of each value that the model writes.
     std::map<Value, std::size_t> of_value;
-    /// For each condition, whether it is true for the values of each class.
+    /// For each condition: for each class, whether the condition is true for its values.
     std::map<const Expr*, std::vector<bool>> answers;
-    bool all_values = false;  ///< the classes together contain all values of the type; if false, only those that occur
+    bool all_values = false;  ///< the classes together contain all values of the type; otherwise only those that occur
     bool nothing_tested = false;  ///< no condition reads the values; the last class represents any value
     bool exact_outputs = false;   ///< outputs of different values have different names in some run
 };
 
-/// True if the type has numbers, texts, elements of given types, or sequences. False for types with values that
-/// value_text cannot show.
+/// True if the type contains numbers, texts, elements of given types, or sequences, and value_text can show its values.
 [[nodiscard]] bool is_replaceable(const System& system, TypeId type);
 
 /// Finds a value of the type for each possible combination of answers of conditions on one place. The type must not
@@ -36,21 +35,21 @@ struct ValueClasses {
                                                                    TypeId type,
                                                                    const std::vector<Condition>& conditions);
 
-/// Whether the condition has a form that divides values into classes. The condition must read only one place, which has
+/// True if the condition has a form that divides values into classes. The condition must read only one place, which has
 /// this type.
 [[nodiscard]] bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type,
                               const Expr& condition);
 
-/// The flow classes. The least place of a flow class identifies it.
+/// The division of all flow classes. The least place of a flow class identifies it.
 struct DividedData {
-    std::map<PlaceId, ValueClasses> classes;  ///< for flow classes whose values can be replaced
-    std::map<PlaceId, Keep> kept;             ///< for all other flow classes
+    std::map<PlaceId, ValueClasses> classes;  ///< the classes of flow classes whose values can be replaced
+    std::map<PlaceId, Keep> kept;             ///< the reasons why all other flow classes keep their values
 };
 
-/// The classes of every flow class whose values can be replaced by classes (docs/data.md). The class model is equal to
-/// the ideal model up to the names of values: every condition has one answer for all values of a class, and an input of
-/// any value of a class has the same effect (a functional bisimulation). If computed values are free, this is true only
-/// if each computed value belongs to the class that the class model chooses.
+/// Returns the classes of every flow class whose values can be replaced by classes (docs/data.md). The class model is
+/// equal to the ideal model up to the names of values (a functional bisimulation): every condition has one answer for
+/// all values of a class, and an input has the same effect for all values of a class. If the classes of computed values
+/// are chosen freely, this is true only for the choices to which the computed values belong.
 [[nodiscard]] DividedData divide_values(const System& system, const Sampling& sampling, const Places& places,
                                         const std::map<PlaceId, Uses>& uses, Computed computed = Computed::exactly);
 

@@ -22,8 +22,8 @@ bool reads_state(const Expr& root) {
     return reads || mentions_clock(root);
 }
 
-/// Whether the expression only copies values, selects their parts and puts values together. Recursion depth: the depth
-/// of expressions.
+/// True if the expression only copies values, selects parts of values, and composes values. The recursion is as deep as
+/// the expression.
 bool is_copy(const Expr& expr) {
     constexpr std::array kinds{ExprKind::variable, ExprKind::trigger_value, ExprKind::enum_literal,
                                ExprKind::member,   ExprKind::record,        ExprKind::tuple,
@@ -82,8 +82,8 @@ private:
 
     const Places& places_;
     const std::map<PlaceId, Uses>& uses_;
-    std::set<PlaceId> mixed_;    ///< with places of several types
-    std::set<PlaceId> outside_;  ///< some values come from outside
+    std::set<PlaceId> mixed_;    ///< flow classes with places of several types
+    std::set<PlaceId> outside_;  ///< flow classes of which some values come from outside
     std::set<PlaceId> derived_;
 };
 

@@ -23,7 +23,7 @@ namespace {
 /// Assigns a number to each expression. Equal expressions get the same number.
 class ExpressionKeys {
 public:
-    /// A text that is different for different expressions. Recursion depth: the depth of the expression.
+    /// Returns a text that is different for different expressions. The recursion is as deep as the expression.
     [[nodiscard]] std::string key_of(const Expr& expr) {
         std::string key = fmt::format("({} {} {} {}e{} {} {} {} {} {} s{} {}:{}", static_cast<int>(expr.kind),
                                       expr.type.index, expr.number, expr.decimal.unscaled, expr.decimal.decimals,
@@ -45,7 +45,7 @@ private:
     std::vector<diagnostics::ForeignText> strings_;
 };
 
-/// A comparison as one of `a < b` and `a == b`, or its negation.
+/// A comparison in the form `a < b` or `a == b`, possibly negated.
 struct Comparison {
     ExprPtr expr;
     bool negated = false;
@@ -58,7 +58,8 @@ ExprPtr with_operands(const Expr& expr, ExprKind kind, ExprPtr left, ExprPtr rig
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// A condition and its negation share one answer. For numbers, this uses that their order is total.
+/// Brings a comparison into normal form, so that a condition and its negation share one answer. For numbers, this is
+/// correct because their order is total.
 Comparison in_normal_form(ExpressionKeys& keys, const ExprPtr& expr) {
     if (!is_comparison(expr->kind)) return {expr, false};
     const ExprPtr &a = expr->args.at(0), &b = expr->args.at(1);
@@ -139,10 +140,11 @@ private:
     Machine machine_;
     StatementMaker maker_{machine_};
     std::set<VariableId> received_;  ///< stored by triggers
-    bool may_follow_event_ = false;  ///< in an exit or during action: it may run before the transition's own action
+    /// The current action is an exit or during action, which may run before the transition's own action.
+    bool may_follow_event_ = false;
     std::vector<FreeAnswer> answers_;
     ExpressionKeys keys_;
-    std::map<std::string, std::size_t> known_;  ///< by the key of the condition
+    std::map<std::string, std::size_t> known_;  ///< the index of the answer, by the key of the condition
 };
 
 bool MachineConditions::is_data(const Expr& expr) const {
@@ -157,7 +159,7 @@ bool MachineConditions::reads_data(const Expr& root) const {
     return result;
 }
 
-/// Whether classes of the values of one place may answer the condition.
+/// True if classes of the values of one place may answer the condition.
 bool MachineConditions::is_answered(const ExprPtr& root) const {
     std::set<std::pair<ExprKind, VariableId>> places;
     bool clock = false;
@@ -171,8 +173,8 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
     return places.size() == 1 && !clock && can_divide(system_, sampling_, id_, type, *inline_calls(system_, root));
 }
 
-/// A received value is stored before the transition's action, and so before the choice of the answer. Exit and during
-/// actions may run in between.
+/// True if the condition can be replaced by a variable. A received value is stored before the transition's action, and
+/// so before the choice of the answer. Exit and during actions may run in between.
 bool MachineConditions::can_be_freed(const Expr& root) const {
     bool result = true;
     visit_operands(root, [&](const Expr& expr) {
@@ -199,8 +201,8 @@ bool MachineConditions::add_preconditions(const ExprPtr& expr, std::vector<ExprP
     return !expr || !may_fail(expr) || add_preconditions(*inline_calls(system_, expr), out);
 }
 
-/// Adds conditions under which the expression is defined, inner conditions first. Returns false if further conditions
-/// may be necessary. Recursion depth: the depth of the expression.
+/// Adds conditions under which the expression is defined, inner conditions first. Returns false if these conditions may
+/// not suffice. The recursion is as deep as the expression.
 bool MachineConditions::add_preconditions(const Expr& expr, std::vector<ExprPtr>& out) const {
     for (const ExprPtr& part : expr.args)
         if (!add_preconditions(*part, out)) return false;
@@ -251,8 +253,8 @@ ExprPtr MachineConditions::all_of(const std::vector<ExprPtr>& conditions) {
     return result;
 }
 
-/// The guard in which variables replace the freed conditions. An undefined guard is not true, and its negation is not
-/// true either.
+/// Returns the guard in which variables replace the freed conditions. If a guard is undefined, neither the guard nor
+/// its negation is true.
 ExprPtr MachineConditions::guard(const ExprPtr& expr) {
     if (!expr || !may_fail(expr)) return condition(expr);
     if (!unanswered_.contains(expr.get()) && is_answered(expr)) return expr;
@@ -263,7 +265,7 @@ ExprPtr MachineConditions::guard(const ExprPtr& expr) {
     return all_of(parts);
 }
 
-/// The condition in which variables hold the answers of its parts, where it is defined.
+/// Returns the condition with variables for the answers of its parts. They are correct if the condition is defined.
 ExprPtr MachineConditions::condition(const ExprPtr& expr, bool unanswered) {
     if (!expr || !reads_data(*expr)) return expr;
     unanswered = unanswered || unanswered_.contains(expr.get());
@@ -298,7 +300,8 @@ ExprPtr MachineConditions::answer_of(const ExprPtr& expr) {
     return maker_.read(answers_[found->second].variable, expr->span);
 }
 
-/// A value that is stored or sent, with the conditions inside it. Names that an expression binds are unknown outside.
+/// Rewrites a value that is stored or sent, and the conditions inside it. Names that an expression binds are unknown
+/// outside of the expression.
 ExprPtr MachineConditions::value(const ExprPtr& expr) {
     if (!expr || is_replaceable(system_, expr->type)) return expr;
     if (system_.type(expr->type).kind == TypeKind::boolean) return condition(expr);
@@ -308,12 +311,12 @@ ExprPtr MachineConditions::value(const ExprPtr& expr) {
     return result.args == expr->args ? expr : std::make_shared<const Expr>(std::move(result));
 }
 
-/// An internal choice: the thread continues, or it blocks because an expression is undefined.
+/// Returns an internal choice: the thread continues, or it blocks because an expression is undefined.
 StmtPtr MachineConditions::possible_end(const Origin& origin) {
     return maker_.choice_of({maker_.skip(origin), maker_.choice_of({}, origin)}, origin);
 }
 
-/// The literals of a Boolean or of an enumeration without arguments; empty for other types.
+/// Returns the literals of a Boolean or of an enumeration without arguments, or an empty result for other types.
 std::vector<ExprPtr> MachineConditions::literals(TypeId id, const Expr& origin) const {
     const Type& type = system_.type(id);
     const bool plain = std::ranges::all_of(type.literal_args, [](const auto& types) { return types.empty(); });
@@ -333,7 +336,7 @@ std::vector<ExprPtr> MachineConditions::literals(TypeId id, const Expr& origin) 
     return result;
 }
 
-/// Whether an assignment changes an element of a sequence or another collection, which may not exist.
+/// True if an assignment changes an element of a sequence or another collection, which may not exist.
 bool MachineConditions::selects_element(const Stmt& stmt) const {
     if (stmt.path.empty()) return false;
     const TypeKind kind = system_.type(machine_.variables.at(stmt.variable.index).type).kind;
@@ -349,7 +352,7 @@ bool MachineConditions::may_block(const Stmt& stmt) const {
            std::ranges::any_of(stmt.args, [&](const ExprPtr& argument) { return may_fail(argument); });
 }
 
-/// Replaces an assignment whose value, a literal, is computed from data: the machine chooses the literal.
+/// Replaces an assignment of a literal that is computed from data. Instead, the machine chooses the literal.
 StmtPtr MachineConditions::with_literals(const Stmt& stmt) {
     if (stmt.kind != StmtKind::assign || !stmt.path.empty() || !reads_data(*stmt.value)) return nullptr;
     const TypeId type = machine_.variables.at(stmt.variable.index).type;
@@ -372,8 +375,8 @@ StmtPtr MachineConditions::with_conditions(const StmtPtr& stmt) {
     return may_block(*stmt) ? guarded(*stmt, std::move(done)) : done;
 }
 
-/// Returns `done`, before which the thread blocks if an expression of `stmt` is undefined. If the conditions for this
-/// are not known, the thread chooses whether to block.
+/// Returns a statement that blocks the thread if an expression of `stmt` is undefined, and otherwise performs `done`.
+/// If the conditions for this are not known, the thread chooses whether to block.
 StmtPtr MachineConditions::guarded(const Stmt& stmt, StmtPtr done) {
     std::vector<ExprPtr> conditions;
     bool known = !selects_element(stmt);
@@ -385,8 +388,7 @@ StmtPtr MachineConditions::guarded(const Stmt& stmt, StmtPtr done) {
     return maker_.if_then_else(all_of(conditions), std::move(done), maker_.choice_of({}, stmt.origin), stmt.origin);
 }
 
-/// The statement after which the variable holds the answer: `variable` has just got the value, which is null if it is
-/// unknown.
+/// Returns the statement that sets the answer after `variable` has got this value, which is null if it is unknown.
 StmtPtr MachineConditions::answer_after(const FreeAnswer& answer, VariableId variable, const ExprPtr& value,
                                         const Origin& origin) {
     const std::vector<ExprPtr> truth = literals(answer.condition->type, *answer.condition);
@@ -405,8 +407,8 @@ void MachineConditions::add_answers_after(VariableId variable, const ExprPtr& va
         if (answer.reads.contains(variable)) out.push_back(answer_after(answer, variable, value, origin));
 }
 
-/// The choices follow immediately after the write. So each step that the model can perform after the write is possible
-/// after the choices.
+/// Adds the choices of answers immediately after a write. So each step that the model can perform after the write is
+/// possible after the choices.
 StmtPtr MachineConditions::with_answers(const StmtPtr& stmt) {
     if (!stmt) return stmt;
     Stmt result = *stmt;
@@ -419,7 +421,7 @@ StmtPtr MachineConditions::with_answers(const StmtPtr& stmt) {
     return maker_.sequence_of(std::move(parts), stmt->origin);
 }
 
-/// The answers are chosen when the machine starts, and when a trigger has stored a value.
+/// Adds the choices of answers to a transition: when the machine starts, and when a trigger has stored a value.
 void MachineConditions::add_answers(Transition& transition) {
     std::vector<StmtPtr> parts;
     if (transition.source == machine_.initial) {

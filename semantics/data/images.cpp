@@ -12,7 +12,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Replaces the value that a condition reads by an expression. Recursion depth: the depth of the condition.
+/// Replaces the value that a condition reads by an expression. The recursion is as deep as the condition.
 ExprPtr substituted(const ExprPtr& condition, const ExprPtr& value) {
     if (condition->kind == ExprKind::variable || condition->kind == ExprKind::trigger_value) return value;
     Expr result = *condition;
@@ -20,7 +20,7 @@ ExprPtr substituted(const ExprPtr& condition, const ExprPtr& value) {
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// The size of a computed sequence: the size of the variable that it is computed from, if any, plus a number.
+/// The size of a computed sequence: the size of the variable from which it is computed, if any, plus a number.
 struct Size {
     bool of_variable = false;
     std::int64_t more = 0;
@@ -120,7 +120,7 @@ std::optional<Images> ImageSearch::of_number(const ExprPtr& expr) const {
     return images;
 }
 
-/// The class for each size, up to a size beyond which no condition distinguishes sizes.
+/// Returns the class for each size, up to a size beyond which no condition distinguishes sizes.
 std::optional<Images> ImageSearch::of_sequence(const Expr& expr) const {
     const auto size = size_of(expr);
     const ClosedValue closed = [this](const Expr& part) { return sampling_.closed_value(machine_, part); };

@@ -20,12 +20,12 @@ struct DividedFlow {
     const ValueClasses* classes = nullptr;
 };
 
-/// For each class of `source`, the classes of `target` that the expression can have, if the only variable that it reads
-/// holds a value of the class. No value if this is not known: the conditions of both flow classes and the expression
-/// must belong to one machine, and the conditions on the computed value must divide the values of the source. Method:
-/// the conditions of the source divide the values of the source. The conditions of the target divide them too, after
-/// the expression has replaced the value in these conditions. Each part of the common division gives one pair of
-/// classes.
+/// Returns, for each class of `source`, the classes of `target` to which the value of the expression can belong, if the
+/// only variable that it reads holds a value of the class. Returns no value if this is not known. The conditions of
+/// both flow classes and the expression must belong to one machine, and the conditions on the computed value must
+/// divide the values of the source. Method: the conditions of the source divide the values of the source. The
+/// conditions of the target, with the expression in the place of the value, divide them further. Each part of the
+/// common division gives one pair of classes.
 [[nodiscard]] std::optional<std::vector<std::set<std::size_t>>> images_of(const System& system,
                                                                           const Sampling& sampling, MachineId machine,
                                                                           const DividedFlow& source,

@@ -12,7 +12,7 @@
 namespace robochart::ir {
 namespace {
 
-constexpr int deepest_nesting = 16;  ///< of calls in bodies
+constexpr int deepest_nesting = 16;  ///< nesting of calls in bodies
 constexpr std::size_t most_operands = 4'096;
 
 bool has_number_or_truth(const System& system, TypeId type) {
@@ -54,7 +54,7 @@ class Inliner {
 public:
     explicit Inliner(const System& system) : system_(system) {}
 
-    /// Null if the result is too large.
+    /// Rewrites an expression. Returns null if the result is too large.
     ExprPtr rewrite(const ExprPtr& expr) {
         if (!expr || ++operands_ > most_operands) return nullptr;
         if (expr->kind == ExprKind::call)
@@ -89,7 +89,7 @@ private:
         return result;
     }
 
-    /// E in `result == E`; null if the function has another contract.
+    /// Returns E for the contract `result == E`, or null if the function has another contract.
     [[nodiscard]] ExprPtr body_of(const Function& function) const {
         if (!function.preconditions.empty() || function.postconditions.size() != 1) return nullptr;
         if (std::ranges::find(function.parameter_names, "result") != function.parameter_names.end()) return nullptr;
@@ -105,7 +105,7 @@ private:
         return nullptr;
     }
 
-    /// The body for these arguments; null if it has another form.
+    /// Returns the body with these arguments, or null if it contains an expression that cannot be replaced.
     [[nodiscard]] ExprPtr substitute(const Function& function, const Expr& body,
                                      const std::vector<ExprPtr>& arguments) {
         if (++operands_ > most_operands) return nullptr;

@@ -6,10 +6,11 @@
 
 namespace robochart::ir {
 
-/// The expression, with calls of functions replaced by their results. A function is replaced if it has no precondition
-/// and one postcondition `result == E`, where E has the result's type, which is real, int or boolean, and is made of
-/// arithmetic, comparisons, logic, choices and calls of such functions. In the ideal semantics, E is then the only
-/// value that satisfies the postcondition. Other calls are not changed. Equal expressions have equal pointers.
+/// Returns the expression, with calls of functions replaced by their results. A function is replaced if it has no
+/// precondition and one postcondition `result == E`. E must have the type of the result (real, int or boolean), and
+/// must consist of arithmetic, comparisons, logic, choices and calls of functions that are replaced. In the ideal
+/// semantics, E is then the only value that satisfies the postcondition. Other calls are not changed. Equal expressions
+/// have equal pointers.
 [[nodiscard]] ExprPtr inline_calls(const System& system, const ExprPtr& expr);
 
 }  // namespace robochart::ir

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data that keep the carriers of the finite instantiation, with the reason (docs/data.md, "Data that keep their
-// carriers").
+// Describes data that keep the carriers of the finite instantiation, and the reasons (docs/data.md, "Data that keep
+// their carriers").
 #pragma once
 
 #include <string>
@@ -10,24 +10,25 @@
 
 namespace robochart::ir {
 
-/// Why values keep their carriers. Each reason is reported at the place of an expression (Keep::span), except those
-/// marked "no place".
+/// The reason why values keep their carriers. Each reason is reported at the place of an expression (Keep::span),
+/// except those marked "no place".
 enum class KeepReason {
     type,           ///< classes cannot replace values of this type: functions, relations, matrices; no place
-    other_place,    ///< a place of another type shares them, or a controller or platform initialises them; no place
+    other_place,    ///< they are shared with a place of another type, or a controller or platform initialises them; no
+                    ///< place
     part,           ///< an assignment changes a part of them
     selector,       ///< they select the part of a variable that an assignment changes
     other_data,     ///< a condition also reads other data
     clock,          ///< an expression also reads a clock
     undefined,      ///< an expression may be undefined, and the machine stops there
-    time,           ///< a wait or a deadline takes them
+    time,           ///< a wait or a deadline uses them as its duration
     probability,    ///< a probability depends on them
     contract,       ///< a precondition or postcondition of an operation reads them
-    form,           ///< a condition is neither linear nor about windows near the start of a sequence
+    form,           ///< a condition is neither linear nor on windows near the start of a sequence
     conditions,     ///< there are too many conditions; no place
     classes,        ///< there are too many classes; no place
     numbers,        ///< the conditions read too many numbers of one value; no place
-    extremes,       ///< conditions read least numbers of windows and also greatest numbers of windows; no place
+    extremes,       ///< some conditions read least, and others greatest, numbers of windows; no place
     points,         ///< for some combination of answers, no decimal numbers were found; no place
     computed,       ///< they are computed, and a condition reads them
     from_carriers,  ///< they are computed from data with carriers

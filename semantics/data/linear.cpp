@@ -19,9 +19,9 @@ __extension__ using Wide = __int128;
 constexpr std::size_t most_components = 3;
 constexpr std::size_t most_forms = 256;
 constexpr std::size_t most_means = 1'000'000;
-constexpr std::int64_t most_turns = 16;  ///< of a remainder within a period
+constexpr std::int64_t most_turns = 16;  ///< limit on the jumps of a remainder within a period
 
-/// The determinant of a matrix with at most three rows.
+/// Returns the determinant of a matrix with at most three rows.
 Wide determinant(const std::vector<std::vector<Wide>>& m) {
     if (m.size() == 1) return m[0][0];
     if (m.size() == 2) return m[0][0] * m[1][1] - m[0][1] * m[1][0];
@@ -29,8 +29,8 @@ Wide determinant(const std::vector<std::vector<Wide>>& m) {
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// Calls the function for every choice of `count` numbers below `size`, in ascending order; with repetition if
-/// `repeat`.
+/// Calls the function for every choice of `count` numbers below `size`, in ascending order. If `repeat` is true, a
+/// number may be repeated.
 template <class Visit>
 void visit_choices(std::size_t size, std::size_t count, bool repeat, const Visit& visit) {
     std::vector<std::size_t> choice;
@@ -86,7 +86,7 @@ bool LinearConditions::add_comparison(const Expr& left, const Expr& right) {
     return forms_.size() <= most_forms;
 }
 
-/// Membership in a set: a list of numbers or, for a whole number, all whole numbers between two bounds.
+/// Adds a test of membership in a set: a list of numbers or, for a whole number, all whole numbers between two bounds.
 bool LinearConditions::add_membership(const Expr& condition) {
     const Expr& number = *condition.args.at(0);
     const Expr& set = *condition.args.at(1);
@@ -139,7 +139,7 @@ std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> LinearC
     return result;
 }
 
-/// Coordinates of the types nat and int are whole numbers, not units.
+/// Returns the signs of the forms. Coordinates of the types nat and int are whole numbers, not units.
 std::vector<int> LinearConditions::signs_at(const Point& point) const {
     Point units = point;
     for (std::size_t i = 0; i < units.size(); ++i)
@@ -156,8 +156,8 @@ LinearReader::Forms LinearConditions::read_choice(const Expr& expr) {
     return result;
 }
 
-/// The remainders of a form in the number x, for 0 <= x < period. A remainder starts again at 0 where the form is a
-/// multiple of the period.
+/// Returns the forms that the remainder of a form in the number x has for 0 <= x < period. A remainder starts again at
+/// 0 where the form is a multiple of the period.
 LinearReader::Forms LinearConditions::remainders(const LinearForm& dividend) {
     if (dividend.coefficients.size() > 1) return std::nullopt;
     std::int64_t coefficient = 0;
@@ -211,7 +211,7 @@ std::vector<int> LinearConditions::signs(const Point& point) const {
     return result;
 }
 
-/// The intersections of as many hyperplanes as there are components.
+/// Returns the intersections of as many hyperplanes as there are components.
 std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<LinearForm>& forms) const {
     const std::size_t n = components_.size();
     if (too_many_choices(forms.size(), n)) return std::nullopt;
@@ -239,7 +239,7 @@ std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<L
     return std::vector<Point>(found.begin(), found.end());
 }
 
-/// The hyperplanes of the conditions, and those of a box around all their intersections.
+/// Returns the hyperplanes of the conditions, and those of a box around all their intersections.
 std::optional<std::vector<LinearForm>> LinearConditions::with_box() const {
     std::vector<LinearForm> forms;
     for (const LinearForm& form : forms_)
@@ -286,8 +286,9 @@ std::optional<std::vector<Point>> LinearConditions::real_points() const {
     return result;
 }
 
-/// For one whole number: tries the numbers near every threshold, and returns up to `count` numbers for each combination
-/// of signs. If a region has fewer than `beside` numbers, all of them are near a threshold.
+/// Finds points if the conditions read one whole number. Tries the numbers near every threshold, and returns up to
+/// `count` numbers for each combination of signs. If a region has fewer than `beside` numbers, all of them are near a
+/// threshold.
 std::optional<std::vector<Point>> LinearConditions::whole_points(std::int64_t beside, std::size_t count) const {
     if (components_.size() != 1) return std::nullopt;
     std::set<std::int64_t> numbers;
@@ -329,8 +330,9 @@ bool LinearConditions::is_only_point(const std::vector<int>& signs) const {
     return independent;
 }
 
-/// Finds further points in the region of `first`. The midpoint of a point of a convex set and a corner of its closure
-/// is in the set. No value if fewer than `count` of these points are decimal numbers.
+/// Finds further points in the region of `first`. The midpoint between a point of a region and a corner of its closure
+/// is in the region, because the region is convex. Returns no value if fewer than `count` of these points are decimal
+/// numbers.
 std::optional<std::vector<Point>> LinearConditions::fill_region(Point first, const std::vector<Point>& corners,
                                                                 std::size_t count) const {
     const std::vector<int> region = signs(first);
@@ -385,13 +387,13 @@ std::optional<std::vector<Point>> LinearConditions::points() const {
     if (components_.size() != 1 || !is_periodic_) return std::nullopt;
     std::int64_t unit = scale_;
     if (components_[0].kind == TypeKind::real) unit = 1;
-    if (*period_ % unit != 0) return std::nullopt;  // no whole number of steps
+    if (*period_ % unit != 0) return std::nullopt;  // the period is not a whole number of steps
     LinearConditions within = *this;
     within.insert_form({{{0, 1}}, 0});
     within.insert_form({{{0, 1}}, -*period_});
     auto result = within.all_points();
     if (!result) return result;
-    std::vector<Point> small;  // the first point of a region is shown
+    std::vector<Point> small;  // reports show the first point of a region
     for (std::int64_t number = 0; number < 10; ++number) small.push_back({number * (scale_ / unit)});
     result->insert(result->begin(), small.begin(), small.end());
     std::erase_if(*result, [&](const Point& point) { return point[0] < 0 || point[0] >= *period_ / unit; });

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that satisfy linear conditions in every possible combination. Private to this component.
+// Finds values for every combination of truth values that linear conditions can have. Private to this component.
 //
 // Conditions such as `x < 5` and `y - x > 1` divide the space of values into regions: the sets of points at which each
-// linear form has the same sign. Statement: every nonempty region has a candidate. Reason: the regions within a box
-// that contains all intersections are polytopes; the relative interior of a polytope of dimension d contains every
-// weighted mean, with positive weights, of d + 1 vertices that are affinely independent; every vertex is an
-// intersection of n hyperplanes of the conditions and of the box (Ziegler, Lectures on Polytopes, 1995, chapter 2). The
-// candidates are the means of all choices of n + 1 vertices.
+// linear form has the same sign. The candidates are weighted means of n + 1 vertices, for all choices of vertices.
+// Statement: every nonempty region contains a candidate. Reason: the regions within a box that contains all
+// intersections are polytopes. The relative interior of a polytope of dimension d contains every weighted mean, with
+// positive weights, of d + 1 affinely independent vertices. Every vertex is an intersection of n hyperplanes of the
+// conditions and of the box (Ziegler, Lectures on Polytopes, 1995, chapter 2).
 //
-// `if c then a else b` is one of two forms, and the condition c divides the space, too. `a % c` with a constant c > 0
-// is a - q*c for a whole number q. Suppose that the conditions read only one number, and read it only inside remainders
-// by one constant c. Then they are periodic in this number, with period c, because coefficients are whole numbers. So
-// candidates with 0 <= x < c are sufficient, and only finitely many q occur for them. The thresholds are those of all
-// forms, and the numbers at which a remainder starts again at 0.
+// `if c then a else b` has one of two forms, and the condition c divides the space, too. `a % c` with a constant c > 0
+// is equal to a - q*c for some whole number q. Suppose that the conditions read only one number, and read it only
+// inside remainders by one constant c. Then they are periodic in this number, with period c, because coefficients are
+// whole numbers. So candidates with 0 <= x < c are sufficient, and only finitely many q occur for them. The thresholds
+// are those of all forms, and the numbers at which a remainder becomes 0 again.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@
 
 namespace robochart::ir {
 
-/// Piecewise linear conditions about the value of one place.
+/// Piecewise linear conditions on the value of one place.
 class LinearConditions {
 public:
     /// The instantiation contains the scale and the budget. Long searches for points poll this budget.
@@ -37,25 +37,26 @@ public:
         : system_(system), instantiation_(instantiation), scale_(instantiation.scale) {}
 
     /// Adds a condition that reads only one place. Returns false if the condition is not a Boolean combination of
-    /// comparisons of linear terms, of choices between them and of their remainders. `closed` evaluates expressions
-    /// without variables.
+    /// comparisons. The operands must be linear terms, choices between them, or their remainders. `closed` evaluates
+    /// expressions without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
     /// Adds a form: the sum of coefficients times numbers, plus the constant in units. Returns false if the constant or
     /// a coefficient is too large.
     [[nodiscard]] bool add_form(const std::map<NumberPart, std::int64_t>& coefficients, std::int64_t constant);
-    /// The forms of all comparisons: for each number its coefficient if that is not 0, and the constant in units.
+    /// Returns the forms of all comparisons: for each number its coefficient if that is not 0, and the constant in
+    /// units.
     [[nodiscard]] std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> forms() const;
-    /// The sign of each form at a point.
+    /// Returns the sign of each form at a point.
     [[nodiscard]] std::vector<int> signs_at(const std::vector<std::int64_t>& point) const;
     [[nodiscard]] bool has_remainders() const { return period_.has_value(); }
-    /// The numbers that the conditions read.
+    /// Returns the numbers that the conditions read.
     [[nodiscard]] const std::vector<NumberPart>& components() const { return components_; }
-    /// For every combination of signs that the linear forms can have, at least one point: the numbers of the components
-    /// in units, whole numbers for nat and int. No value if there are too many points, or if a coordinate of a point is
-    /// not a decimal number.
+    /// Returns at least one point for every combination of signs that the linear forms can have: the numbers of the
+    /// components in units, or whole numbers for nat and int. Returns no value if there are too many points, or if a
+    /// coordinate of a point is not a decimal number.
     [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points() const;
-    /// For every combination of signs that the linear forms can have, `count` points, or all if there are fewer. No
-    /// value if they were not found, or if there are remainders.
+    /// Returns `count` points for every combination of signs that the linear forms can have, or all points if there are
+    /// fewer. Returns no value if they were not found, or if there are remainders.
     [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points_in_regions(std::size_t count) const;
 
 private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t most_pieces = 64;
 
-/// sum + number * factor; no value if it is not between -limit and limit.
+/// Returns sum + number * factor, or no value if it is not between -limit and limit.
 std::optional<std::int64_t> add_product(std::int64_t sum, std::int64_t number, std::int64_t factor,
                                         std::int64_t limit) {
     const auto product = checked_multiply(number, factor);
@@ -17,7 +17,7 @@ std::optional<std::int64_t> add_product(std::int64_t sum, std::int64_t number, s
     return fits ? total : std::nullopt;
 }
 
-/// a + factor * b for all pairs.
+/// Returns a + factor * b for all pairs of forms.
 LinearReader::Forms add_multiples(const LinearReader::Forms& a, const LinearReader::Forms& b, std::int64_t factor) {
     if (!a || !b) return std::nullopt;
     std::set<LinearForm> result;
@@ -73,7 +73,7 @@ LinearReader::Forms LinearReader::read_multiple(const Expr& expr) const {
     return std::nullopt;
 }
 
-/// Recursion depth: the depth of the expression.
+/// See linear_form.hpp. The recursion is as deep as the expression.
 LinearReader::Forms LinearReader::read(const Expr& expr) const {
     if (const auto closed = read_closed(expr)) return std::set{*closed};
     const bool natural = system_.type(expr.type).kind == TypeKind::nat;

@@ -15,14 +15,15 @@
 
 namespace robochart::ir {
 
-/// The value of an expression without variables, in units of the sampling scale; no value if the expression has none.
+/// Returns the value of an expression without variables, in units of the sampling scale, or no value if it is
+/// undefined.
 using ClosedValue = std::function<std::optional<Value>(const Expr&)>;
 
 /// The sum of coefficient times component, plus the constant. Numbers are in units of the sampling scale. Constants
-/// stay below 2^56 and coefficients below 2^20, so that determinants of three rows, which are sums of six products, and
-/// sums of three products fit into 128 bits.
+/// stay below 2^56 and coefficients below 2^20, so that sums of three products, and determinants of three rows (sums of
+/// six products), fit into 128 bits.
 struct LinearForm {
-    std::map<std::size_t, std::int64_t> coefficients;  ///< by the number of the component; no coefficient is 0
+    std::map<std::size_t, std::int64_t> coefficients;  ///< by the index of the component; no coefficient is 0
     std::int64_t constant = 0;
     friend auto operator<=>(const LinearForm&, const LinearForm&) = default;
 };
@@ -31,14 +32,14 @@ struct LinearForm {
 inline constexpr std::int64_t greatest_coordinate = std::int64_t{1} << 56U;
 inline constexpr std::int64_t greatest_coefficient = std::int64_t{1} << 20U;
 
-/// a + factor * b. No value beyond the limits.
+/// Returns a + factor * b, or no value if it exceeds the limits.
 [[nodiscard]] std::optional<LinearForm> add_multiple(const LinearForm& a, const LinearForm& b, std::int64_t factor);
 
-/// Reads sums, differences and multiples of parts that another function reads.
+/// Reads sums, differences and multiples. Another function reads their parts.
 class LinearReader {
 public:
     /// A set of forms. For all values of the components, the value of the expression is equal to the value of one of
-    /// these forms. No value if the expression has no such set.
+    /// these forms. There is no value if the expression has no such set.
     using Forms = std::optional<std::set<LinearForm>>;
     using ReadPart = std::function<Forms(const Expr&)>;
 
@@ -48,7 +49,7 @@ public:
         : system_(system), scale_(scale), closed_(std::move(closed)), read_part_(std::move(read_part)) {}
 
     [[nodiscard]] Forms read(const Expr& expr) const;
-    /// The form of a numeric expression without variables.
+    /// Returns the form of a numeric expression without variables.
     [[nodiscard]] std::optional<LinearForm> read_closed(const Expr& expr) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places that hold data in a model, and the flow classes into which they are grouped. Private to this component.
-// Two places are in one flow class if a value may be copied from one to the other: by an assignment, a communication, a
+// Collects the places that hold data in a model, and groups them into flow classes. Private to this component. Two
+// places are in one flow class if the model may copy a value from one to the other by an assignment, a communication, a
 // call, a connection or a shared variable (docs/data.md, "Flow classes").
 #pragma once
 
@@ -20,12 +20,12 @@ using PlaceId = std::uint32_t;
 /// A place that holds values.
 struct Place {
     TypeId type;
-    std::string name;               ///< as in the model
-    bool input = false;             ///< the value of an event that a component receives
-    bool shared = false;            ///< a variable that components share, or a parameter of an operation with a body
-    bool opaque = false;            ///< copied to a place of another type, or initialised outside machines
-    bool internal = false;          ///< a connection between two components carries the values
-    bool variable = false;          ///< a variable, not an event or a parameter of an operation that is called
+    std::string name;       ///< its name in the model
+    bool input = false;     ///< the value of an event that a component receives
+    bool shared = false;    ///< a variable that components share, or a parameter of an operation with a body
+    bool opaque = false;    ///< its values are copied to a place of another type, or initialised outside machines
+    bool internal = false;  ///< a connection between two components carries the values
+    bool variable = false;  ///< the place is a variable, not an event or a parameter of a called operation
     std::uint32_t machine = no_id;  ///< the machine that has the place; no_id: a controller or a platform
 };
 
@@ -37,20 +37,20 @@ public:
     [[nodiscard]] PlaceId variable(MachineId machine, VariableId id) const {
         return machines_[machine.index].variables + id.index;
     }
-    /// The place of an event's value; no_id if the event has none.
+    /// Returns the place of an event's value, or no_id if the event has none.
     [[nodiscard]] PlaceId event(MachineId machine, EventId id) const {
         return machines_[machine.index].events[id.index];
     }
-    /// The place of a parameter of an operation that the machine calls.
+    /// Returns the place of a parameter of an operation that the machine calls.
     [[nodiscard]] PlaceId parameter(MachineId machine, OperationId id, std::size_t position) const {
         return machines_[machine.index].operations[id.index] + static_cast<PlaceId>(position);
     }
-    /// The place of the value that the transition's trigger receives; no_id if there is none.
+    /// Returns the place of the value that the transition's trigger receives, or no_id if there is none.
     [[nodiscard]] PlaceId trigger(MachineId machine, const Transition& transition) const {
         return transition.trigger ? event(machine, transition.trigger->event) : no_id;
     }
-    /// The place that the expression reads directly: a variable, or the value of a trigger with the place `trigger`.
-    /// no_id for all other expressions.
+    /// Returns the place of the variable that the expression is, or `trigger` if the expression is the value received
+    /// by the trigger. Returns no_id for all other expressions.
     [[nodiscard]] PlaceId read_by(MachineId machine, PlaceId trigger, const Expr& expr) const {
         if (expr.kind == ExprKind::variable) return variable(machine, expr.variable);
         return expr.kind == ExprKind::trigger_value ? trigger : no_id;
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] const Place& operator[](PlaceId place) const { return places_[place]; }
 
     void unite(PlaceId a, PlaceId b);
-    /// The least place of the flow class.
+    /// Returns the least place of the flow class.
     [[nodiscard]] PlaceId class_of(PlaceId place) const;
 
     /// Calls the function with the type of every place, in the order of their numbers.
@@ -69,7 +69,7 @@ private:
     struct MachinePlaces {
         PlaceId variables = 0;
         std::vector<PlaceId> events;      ///< by EventId; no_id: the event has no value
-        std::vector<PlaceId> operations;  ///< by OperationId: the first parameter
+        std::vector<PlaceId> operations;  ///< by OperationId: the place of the first parameter
     };
 
     void number_places(const System& system);

@@ -40,8 +40,8 @@ private:
     std::vector<std::uint32_t> parents_;
 };
 
-/// The variables that the condition reads. A read of the value that a trigger receives is treated as a read of the
-/// variable that stores it.
+/// Returns the variables that the condition reads. A read of the value that a trigger receives is treated as a read of
+/// the variable that stores it.
 std::set<VariableId> variables_read(const Expr& root, VariableId trigger) {
     std::set<VariableId> result;
     visit_operands(root, [&](const Expr& expr) {
@@ -120,7 +120,7 @@ public:
         }
     }
 
-    /// The machine in which holders replace the groups. Meaningful if failed() is empty.
+    /// Returns the machine in which holders replace the groups. Meaningful if failed() is empty.
     Machine rewrite();
     [[nodiscard]] const std::set<VariableId>& failed() const { return failed_; }
     [[nodiscard]] std::vector<Relation> relations() const {
@@ -171,12 +171,12 @@ private:
     std::map<VariableId, Relation> relations_;
     std::set<VariableId> failed_;
     std::map<std::pair<const Expr*, VariableId>, ExprPtr>
-        conditions_;      ///< conditions that are replaced; never iterated
+        conditions_;      ///< conditions that are replaced; for lookup only
     VariableId trigger_;  ///< the variable that stores the received value which the condition reads
 };
 
-/// Whether the place belongs to a variable of the group, to an event whose values only these variables store, or to an
-/// output or a call that sends copies.
+/// True if the place is a variable of the group, an event whose values only these variables store, or an output or call
+/// that sends copies of them.
 bool MachineRelations::holds_only(VariableId group, PlaceId place) const {
     const Place& found = places_[place];
     if (found.machine == no_id) return !found.variable;
@@ -185,8 +185,8 @@ bool MachineRelations::holds_only(VariableId group, PlaceId place) const {
     return groups_.group_of(VariableId{place - places_.variable(id_, VariableId{0})}) == group;
 }
 
-/// Whether the group may be replaced if its conditions have a common term: its variables have the type int or real, and
-/// all places that the values flow through belong to the group or connect it with the platform.
+/// True if a holder may replace the group, provided that its conditions have a common term. Its variables must have the
+/// type int or real. All places of their values must belong to the group or connect it with the platform.
 bool MachineRelations::is_admissible(VariableId group) const {
     const TypeKind kind = system_.type(type_of(group)).kind;
     if (kind != TypeKind::integer && kind != TypeKind::real) return false;
@@ -203,7 +203,7 @@ bool MachineRelations::is_admissible(VariableId group) const {
     return true;
 }
 
-/// The groups into which, or out of which, values of the event flow.
+/// Returns the groups that store or send values of the event.
 std::set<VariableId> MachineRelations::groups_of(EventId event) const {
     std::set<VariableId> result;
     const PlaceId place = places_.event(id_, event);
@@ -233,7 +233,8 @@ LinearReader MachineRelations::reader(VariableId group) const {
     return {system_, sampling_.instantiation().scale, closed, read_variable};
 }
 
-/// The expression as k * holder + c, with the holder as component 0. The first form of a group determines its term.
+/// Returns the expression as k * holder + c, with the holder as component 0. The first form of a group determines its
+/// term.
 std::optional<LinearForm> MachineRelations::in_terms_of_holder(VariableId group, const LinearForm& form) {
     LinearForm& term = relations_.at(group).term;
     if (term.coefficients.empty()) {
@@ -251,7 +252,7 @@ std::optional<LinearForm> MachineRelations::in_terms_of_holder(VariableId group,
     return LinearForm{{{0, factor}}, form.constant};
 }
 
-/// The holder, or the holder's new value if the expression reads the value that a trigger receives.
+/// Returns the holder, or the holder's new value if the expression reads the value that a trigger receives.
 ExprPtr MachineRelations::holder(VariableId group, const Expr& origin) const {
     Expr result;
     result.kind = ExprKind::variable;
@@ -281,7 +282,7 @@ ExprPtr MachineRelations::number(std::int64_t units, TypeId type, const Expr& or
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// k * holder + c as a number of this type.
+/// Returns k * holder + c as a number of this type.
 ExprPtr MachineRelations::multiple(const LinearForm& form, VariableId group, TypeId type, const Expr& origin) const {
     if (form.coefficients.empty()) return number(form.constant, type, origin);
     const auto operation = [&](ExprKind kind, std::vector<ExprPtr> args) {
@@ -301,8 +302,8 @@ ExprPtr MachineRelations::multiple(const LinearForm& form, VariableId group, Typ
     return result;
 }
 
-/// The value that the trigger receives represents the new value of its variable. So no form may contain both this value
-/// and the variable.
+/// True if a form contains both the value that the trigger receives and the variable that stores it. The received value
+/// represents the new value of the variable, so this is not allowed.
 bool mixes_old_and_new(const Expr& root, VariableId trigger) {
     bool reads_new = false, reads_old = false;
     visit_operands(root, [&](const Expr& expr) {
@@ -342,8 +343,8 @@ bool may_contain_terms(ExprKind kind) {
            kind == ExprKind::if_then_else || kind == ExprKind::is_in;
 }
 
-/// Replaces the largest parts of the expression that are linear in the variables of the group. Recursion depth: the
-/// depth of the expression.
+/// Replaces the largest parts of the expression that are linear in the variables of the group. The recursion is as deep
+/// as the expression.
 ExprPtr MachineRelations::substitute(const ExprPtr& expr) {
     if (!expr) return expr;
     const std::set<VariableId> read = groups_read(*expr);
@@ -366,7 +367,8 @@ ExprPtr MachineRelations::substitute(const ExprPtr& expr) {
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// Guards may share a condition, for example with `condition else`. They then also share its replacement.
+/// Returns the replacement of a condition. Guards may share a condition, for example with `condition else`, and then
+/// also share the replacement.
 ExprPtr MachineRelations::condition(const ExprPtr& expr, VariableId trigger) {
     if (!expr) return expr;
     if (const auto known = conditions_.find({expr.get(), trigger}); known != conditions_.end()) return known->second;
@@ -385,7 +387,7 @@ ExprPtr MachineRelations::condition(const ExprPtr& expr, VariableId trigger) {
     return result;
 }
 
-/// A value that is sent: a variable of a group is replaced by the holder.
+/// Rewrites a value that is sent: the holder replaces a variable of a group.
 ExprPtr MachineRelations::copied(const ExprPtr& expr) {
     if (!expr || expr->kind != ExprKind::variable || !is_replaced(expr->variable)) {
         refuse_reads(expr);
@@ -394,7 +396,7 @@ ExprPtr MachineRelations::copied(const ExprPtr& expr) {
     return holder(groups_.group_of(expr->variable), *expr);
 }
 
-/// An event of a group is either an input whose values the group stores, or an output.
+/// Rewrites a communication. An event of a group is either an input whose values the group stores, or an output.
 void MachineRelations::rewrite_communication(Communication& communication, bool trigger, const std::string& element) {
     const std::set<VariableId> groups = groups_of(communication.event);
     const Event& event = machine_.events[communication.event.index];
@@ -410,7 +412,8 @@ void MachineRelations::rewrite_communication(Communication& communication, bool 
     communication.variable = group;
 }
 
-/// The value of the term after `x := e` must be k * t + c, where t is its value before the assignment.
+/// Rewrites `x := e`. The value of the term after the assignment must be k * t + c, where t is its value before the
+/// assignment.
 void MachineRelations::rewrite_assignment(Stmt& stmt) {
     const VariableId group = groups_.group_of(stmt.variable);
     const LinearForm term = relations_.at(group).term;
@@ -485,8 +488,8 @@ void MachineRelations::rewrite_initial_values(Machine& machine) {
     for (auto& [group, relation] : relations_) initialise(machine, relation);
 }
 
-/// A during action continues to run between the event of a trigger and the write of the received value. If it changes a
-/// variable of the group there, the class of the received value is no longer that of the term.
+/// Rejects during actions that change a variable of the group. Such an action may run between the event of a trigger
+/// and the write of the received value. The class of the received value would then no longer be that of the term.
 void MachineRelations::refuse_writes_during() {
     for (const Node& node : machine_.nodes) {
         if (!node.during) continue;
@@ -497,7 +500,7 @@ void MachineRelations::refuse_writes_during() {
     }
 }
 
-/// Conditions come first, because they determine the terms.
+/// See the declaration. Conditions come first, because they determine the terms.
 Machine MachineRelations::rewrite() {
     Machine result = machine_;
     for (Transition& transition : result.transitions) rewrite_transition(transition);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions that relate variables of a machine, such as `d > l` or `(now - start) % 360 < 90`. Private to this
+// Handles conditions that relate variables of a machine, such as `d > l` or `(now - start) % 360 < 90`. Private to this
 // component.
 //
-// A group of variables that conditions relate is replaced by one variable, the holder, if all conditions read the group
-// through one linear term t, here d - l. The holder holds the value of t. A statement that stores an input in a
-// variable of the group receives the new value of t instead. Statement: the two systems are bisimilar if values of
-// inputs are renamed. Reason: whatever values the other variables have, if the variable ranges over all values of its
-// type, then t ranges over all values of its type: a linear form with a coefficient other than 0 maps the reals onto
-// the reals, and one with a coefficient of 1 or -1 maps the integers onto the integers. This property is called
-// homogeneity. It does not hold for nat and for types with bounds (docs/data.md, "Relations of variables").
+// One variable, the holder, replaces a group of variables that conditions relate, if all conditions read the group
+// through one linear term t, such as d - l. The holder stores the value of t. A statement that stores an input in a
+// variable of the group receives the new value of t instead. Statement: the two systems are bisimilar up to the names
+// of input values. Reason: if the variable ranges over all values of its type, then so does t, for all values of the
+// other variables. A linear form with a coefficient other than 0 maps the reals onto the reals, and a form with a
+// coefficient of 1 or -1 maps the integers onto the integers. This property is called homogeneity. It does not hold for
+// nat and for types with bounds (docs/data.md, "Relations of variables").
 //
 // An input is stored after its event has occurred. So nothing may change the group between the event and the store: no
 // during action writes a variable of the group.
@@ -35,21 +35,22 @@ struct Relation {
     GroupId group;  ///< the variable in this identifier is the holder
     /// The term: components are variables by VariableId. The constant is 0.
     LinearForm term;
-    std::string text;                            ///< "d - l"
-    std::map<VariableId, std::int64_t> initial;  ///< of each variable of the group, in units of the sampling scale
-    /// The qualified name of a transition or a statement -> the variable that stores its input.
+    std::string text;  ///< "d - l"
+    /// The initial value of each variable of the group, in units of the sampling scale.
+    std::map<VariableId, std::int64_t> initial;
+    /// By the qualified name of a transition or statement: the variable that stores its input.
     std::map<std::string, VariableId> stored_by;
     bool assigned = false;  ///< an assignment changes a variable of the group
 };
 
-/// A system in which holders replace groups. The other variables of a group are not used, and have the type and the
+/// A system in which holders replace groups. The other variables of a group are unused, and have the type and the
 /// initial value of the holder.
 struct RelatedSystem {
     System system;
     std::vector<Relation> relations;
 };
 
-/// Replaces all groups that can be replaced, except `refused`. collect_uses must have processed `places` before.
+/// Replaces all groups that can be replaced, except `refused`. collect_uses must have processed `places`.
 [[nodiscard]] RelatedSystem relate_variables(const System& system, const Sampling& sampling, const Places& places,
                                              std::set<GroupId> refused);
 

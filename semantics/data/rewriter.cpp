@@ -81,15 +81,15 @@ private:
     PlaceId trigger_ = no_id;    ///< the place of the received value that guards and predicates read
 };
 
-/// A name that no type has.
+/// Returns a name that no type has.
 std::string unused_name(const System& system, std::string name) {
     const auto used = [&] { return std::ranges::find(system.types, name, &Type::name) != system.types.end(); };
     while (used()) name += "_";
     return name;
 }
 
-/// A value of the class. If no condition depends on the values, the last class represents all values that the model
-/// does not write.
+/// Returns the text of a value of the class. If no condition depends on the values, the last class represents all
+/// values that the model does not write.
 std::string Rewriter::shown_text(PlaceId flow, const ValueClasses& classes, std::size_t number) const {
     if (classes.nothing_tested && classes.witnesses.size() == 1) return "any value";
     if (classes.nothing_tested && number + 1 == classes.witnesses.size()) return "any other value";
@@ -128,7 +128,7 @@ ExprPtr Rewriter::literal(PlaceId flow, std::size_t number, diagnostics::Span sp
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// The condition as a test of the class.
+/// Returns a test of the class that replaces the condition.
 ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
     const std::vector<bool>& answers = classes_.at(flow).answers.at(&condition);
     assert(answers.size() == classes_.at(flow).witnesses.size());
@@ -151,8 +151,8 @@ ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
     return is_one_of(flow, *place, numbers, condition.span);
 }
 
-/// Whether the place, a variable or a received value, holds one of these classes. The test has the span of the
-/// condition that it replaces.
+/// Returns an expression that is true if the place (a variable or a received value) holds one of these classes. It has
+/// the span of the condition that it replaces.
 ExprPtr Rewriter::is_one_of(PlaceId flow, const Expr& place, const std::set<std::size_t>& numbers,
                             diagnostics::Span span) const {
     Expr set;
@@ -188,7 +188,7 @@ ExprPtr Rewriter::rewritten(const ExprPtr& expr) const {
     return changed ? std::make_shared<const Expr>(std::move(result)) : expr;
 }
 
-/// A value that is stored or sent.
+/// Rewrites a value that is stored or sent.
 ExprPtr Rewriter::written(PlaceId target, const ExprPtr& expr) const {
     const ValueClasses* classes = expr ? classes_at(target) : nullptr;
     if (classes == nullptr || place_of(*expr) != no_id) return rewritten(expr);
@@ -204,7 +204,7 @@ void Rewriter::rewrite_communication(Communication& communication) {
     communication.value = written(carried, communication.value);
 }
 
-/// Whether the value is computed and some condition reads it. If so, the machine chooses its class.
+/// True if the machine chooses the class of the value, because the value is computed and some condition reads it.
 bool Rewriter::is_chosen(PlaceId target, const ExprPtr& expr) const {
     const ValueClasses* classes = expr ? classes_at(target) : nullptr;
     return classes != nullptr && !classes->nothing_tested && place_of(*expr) == no_id &&
@@ -219,7 +219,8 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const std::s
     return StatementMaker(*result_).choice_of_value(variable, values, origin);
 }
 
-/// The only variable that the expression reads; null if it reads others, or a received value or a clock.
+/// Returns the only variable that the expression reads. Returns null if it reads several variables, a received value or
+/// a clock.
 const Expr* only_variable(const Expr& root) {
     const Expr* result = nullptr;
     bool others = false;
@@ -250,7 +251,7 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPt
     };
     const auto images = images_of(system_, sampling_, machine_, flow(source), flow(target), value);
     if (!images) return chosen_class(target, variable, all, origin);
-    std::map<std::set<std::size_t>, std::set<std::size_t>> sources;  // by their image
+    std::map<std::set<std::size_t>, std::set<std::size_t>> sources;  // the classes of the source, by their images
     for (std::size_t i = 0; i < images->size(); ++i) sources[(*images)[i].empty() ? all : (*images)[i]].insert(i);
     StmtPtr result = chosen_class(target, variable, sources.begin()->first, origin);
     for (auto image = std::next(sources.begin()); image != sources.end(); ++image) {
@@ -261,7 +262,7 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPt
     return result;
 }
 
-/// The value that is sent. If the machine chooses its class, a new variable holds the choice.
+/// Returns the value that is sent. If the machine chooses its class, a new variable holds the choice.
 ExprPtr Rewriter::chosen_before(PlaceId target, const ExprPtr& expr, std::vector<StmtPtr>& choices,
                                 const Origin& origin) {
     if (!is_chosen(target, expr)) return written(target, expr);

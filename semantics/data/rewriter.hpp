@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rewrites a system to one whose data are classes of values. Private to this component.
+// Rewrites a system so that its data are classes of values. Private to this component.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 namespace robochart::ir {
 
 /// Returns the system in which the places of the flow classes hold literals of enumerations, one literal for each
-/// class. The conditions test these literals. `uses` contains the uses of all flow classes. For flow classes of related
-/// variables, `terms` contains the term, and the classes are classes of its values.
+/// class. The conditions test these literals. `uses` contains the uses of all flow classes. For a flow class of related
+/// variables, `terms` contains their term, and the classes are those of the values of the term.
 [[nodiscard]] System with_classes(const System& system, const Sampling& sampling, const Places& places,
                                   const std::map<PlaceId, Uses>& uses, const std::map<PlaceId, ValueClasses>& classes,
                                   const std::map<PlaceId, std::string>& terms = {});
 
-/// The text of a class of values of a term: "d - l = 1". `witness` is a value in the class; `scale` is the number of
-/// units that represent 1.
+/// Returns the text of a class of values of a term: "d - l = 1". `witness` is a value in the class, and `scale` is the
+/// number of units that represent 1.
 [[nodiscard]] std::string term_value_text(const System& system, std::int64_t scale, const std::string& term,
                                           TypeId type, const Value& witness);
 
-/// The names of the places of a flow class, ascending.
+/// Returns the names of the places of a flow class, ascending.
 [[nodiscard]] std::vector<std::string> names_in(const Places& places, PlaceId flow);
 
 }  // namespace robochart::ir

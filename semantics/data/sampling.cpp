@@ -22,7 +22,7 @@ namespace {
 /// corners divides by at most 16 (linear.hpp).
 constexpr std::int64_t finer = 10'000;
 
-/// The values of a machine's constants in every context in which it runs.
+/// Returns the values of a machine's constants in every context in which it runs.
 std::vector<std::vector<Value>> values_in_contexts(const System& system, const Instantiation& instantiation,
                                                    MachineId id) {
     const Machine& machine = system.machine(id);
@@ -43,8 +43,8 @@ std::vector<std::vector<Value>> values_in_contexts(const System& system, const I
     return {found.begin(), found.end()};
 }
 
-/// True if the value depends on the carriers of types, which are finite: quantifiers, functions of the model, and some
-/// functions of the toolkits.
+/// True if the value depends on the finite carriers of types. This is the case for quantifiers, functions of the model,
+/// and some functions of the toolkits.
 bool depends_on_carriers(const Expr& root) {
     bool result = false;
     visit_operands(root, [&](const Expr& expr) {
@@ -75,7 +75,7 @@ Sampling::Sampling(const System& system, const Instantiation& instantiation)
         constants_.push_back(values_in_contexts(system, ideal_, MachineId{m}));
 }
 
-/// The value with reals in the finer unit. Recursion depth: the depth of types.
+/// Returns the value with reals in the finer unit. The recursion is as deep as the type.
 Value Sampling::rescaled(TypeId id, const Value& value) const {
     const Type& type = system_.type(id);
     Value result = value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluation in the ideal semantics: numbers have no bounds, and reals have more decimal places than the model's
-// literals, so that there are numbers between any two neighbouring literals. Private to this component.
+// Evaluates expressions in the ideal semantics: numbers have no bounds, and reals have more decimal places than the
+// model's literals, so that there are numbers between any two neighbouring literals. Private to this component.
 #pragma once
 
 #include <optional>
@@ -15,28 +15,27 @@
 
 namespace robochart::ir {
 
-/// Whether a call may be undefined: a precondition may be false, or no result may satisfy the postconditions. This is
+/// True if a call may be undefined: a precondition may be false, or no result may satisfy the postconditions. This is
 /// relevant only for calls that inline_calls() does not replace.
 [[nodiscard]] bool may_have_no_value(const Function& function);
 
-/// The default value of the type, after each of the components has been replaced by the number of the same index, in
-/// units.
+/// Returns the default value of the type in which the numbers, in units, replace the components with the same indices.
 [[nodiscard]] Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
                              const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers);
 
-/// Expressions of a system, evaluated without bounds.
+/// Evaluates expressions of a system without bounds.
 class Sampling {
 public:
     /// The arguments must outlive the object.
     Sampling(const System& system, const Instantiation& instantiation);
 
     [[nodiscard]] const Instantiation& instantiation() const { return ideal_; }
-    /// The value of an expression that reads no variable, trigger or clock. No value if it reads one, has none, or has
-    /// different values in the contexts in which the machine runs.
+    /// Returns the value of an expression that reads no variable, trigger or clock. Returns no value if it reads one,
+    /// is undefined, or has different values in the contexts in which the machine runs.
     [[nodiscard]] std::optional<Value> closed_value(MachineId machine, const Expr& expr) const;
-    /// Whether the condition is true for this value of the only place that it reads: 1 or 0; -1 if a precondition of a
-    /// function makes it undefined. No value if it has different answers in the contexts in which the machine runs, or
-    /// if its evaluation is an error, such as a division by zero.
+    /// Evaluates a condition for this value of the only place that it reads. Returns 1 if it is true, 0 if it is false,
+    /// and -1 if a precondition of a function makes it undefined. Returns no value if the answers differ in the
+    /// contexts in which the machine runs, or if the evaluation is an error, such as a division by zero.
     [[nodiscard]] std::optional<int> truth(MachineId machine, const Expr& condition, const Value& value) const;
 
     /// True if a call, a division or a conversion in the expression may be undefined. For example, the conversion of a

@@ -19,7 +19,7 @@ namespace robochart::ir {
 namespace {
 
 constexpr std::size_t most_combinations = 4'096;
-constexpr std::size_t most_numbers = 8;  ///< in a value; each doubles the decimals that are tried
+constexpr std::size_t most_numbers = 8;  ///< limit for one value; each number doubles the decimals that are tried
 /// The limits of the solver for one value. The solver does not count all of its steps.
 constexpr unsigned most_steps = 2'000'000, most_milliseconds = 2'000;
 /// The limit for all values.
@@ -36,13 +36,13 @@ public:
     SolverFormulas(z3::context& context, const System& system, const Sampling& sampling)
         : context_(context), system_(system), sampling_(sampling), numbers_(context) {}
 
-    /// No value if the condition has another form.
+    /// Returns no value if the condition has another form.
     [[nodiscard]] Formula truth(const Condition& condition) {
         machine_ = condition.machine;
         return read_truth(*condition.body);
     }
     [[nodiscard]] const std::vector<NumberPart>& parts() const { return parts_; }
-    /// The solver's numbers, in the order of the parts.
+    /// Returns the solver's numbers, in the order of the parts.
     [[nodiscard]] const z3::expr_vector& numbers() const { return numbers_; }
 
 private:
@@ -72,7 +72,7 @@ bool is_solver_number(TypeKind kind) {
     return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real;
 }
 
-/// The value of an expression without variables.
+/// Returns the value of an expression without variables.
 SolverFormulas::Formula SolverFormulas::literal(const Expr& expr) const {
     const auto value = sampling_.closed_value(machine_, expr);
     if (!value) return std::nullopt;
@@ -95,7 +95,7 @@ z3::expr SolverFormulas::number_at(const NumberPart& part) {
     return numbers_.back();
 }
 
-/// The value that the condition reads, or a part of it.
+/// Returns the value that the condition reads, or a part of it.
 SolverFormulas::Formula SolverFormulas::read_part(const Expr& expr) {
     NumberPart part{{}, kind_of(expr)};
     if (!is_solver_number(part.kind) && part.kind != TypeKind::boolean) return std::nullopt;
@@ -157,7 +157,7 @@ SolverFormulas::Formula SolverFormulas::read_comparison(const Expr& expr) {
     return *left >= *right;
 }
 
-/// Membership of a number in a set that is listed.
+/// Translates membership of a number in a list of numbers.
 SolverFormulas::Formula SolverFormulas::read_membership(const Expr& expr) {
     const Formula number = read_number(*expr.args.at(0));
     const Expr& set = *expr.args.at(1);
@@ -194,8 +194,8 @@ SolverFormulas::Formula SolverFormulas::read_operation(const Expr& expr) {
     return *left * *right;
 }
 
-/// Quotients and remainders by positive constants, which round down as the solver's do for integers: the remainder of a
-/// real is left - right * floor(left / right).
+/// Translates quotients and remainders with positive constant divisors. They are rounded down, as the solver does for
+/// integers. The remainder of a real is left - right * floor(left / right).
 SolverFormulas::Formula SolverFormulas::read_quotient(const Expr& expr) {
     const auto divisor = sampling_.closed_value(machine_, *expr.args.at(1));
     const Formula left = read_number(*expr.args.at(0)), right = read_number(*expr.args.at(1));
@@ -221,7 +221,7 @@ struct SolverFraction {
     std::int64_t numerator = 0, denominator = 1;
 };
 
-/// The number itself, or a fraction a little below it if it is irrational.
+/// Returns the number itself, or a fraction a little below it if it is irrational.
 std::optional<SolverFraction> read_fraction(z3::context& context, const z3::expr& number) {
     z3::expr rational = number;
     if (!number.is_numeral() && number.is_algebraic()) rational = number.algebraic_lower(9);
@@ -232,7 +232,7 @@ std::optional<SolverFraction> read_fraction(z3::context& context, const z3::expr
     return result;
 }
 
-/// The combinations of answers, one after the other.
+/// Finds the combinations of answers, one after the other.
 class SolverSearch {
 public:
     SolverSearch(const System& system, const Sampling& sampling, TypeId type, const std::vector<Condition>& conditions)
@@ -262,8 +262,8 @@ public:
 private:
     using Answers = std::vector<int>;
 
-    /// Z3 decides polynomials over the reals completely in the logic QF_NRA (Jovanović and de Moura, Solving non-linear
-    /// arithmetic, IJCAR 2012).
+    /// Makes a solver for the logic of the conditions. Z3 decides polynomials over the reals completely in the logic
+    /// QF_NRA (Jovanović and de Moura, Solving non-linear arithmetic, IJCAR 2012).
     [[nodiscard]] z3::solver make_solver() {
         const bool reals = std::ranges::all_of(formulas_.parts(), [](const NumberPart& part) {
             return part.kind == TypeKind::real || part.kind == TypeKind::boolean;
@@ -281,7 +281,8 @@ private:
         return result;
     }
 
-    /// Without this setting, the solver replaces the handler of SIGINT while it runs.
+    /// Runs the solver. Its parameter ctrl_c is false, because the solver would otherwise replace the handler of SIGINT
+    /// while it runs.
     [[nodiscard]] z3::check_result check(z3::solver& solver) {
         sampling_.instantiation().poll();
         if (std::chrono::steady_clock::now() > end_) return z3::unknown;
@@ -334,7 +335,7 @@ bool SolverSearch::gives(const Value& value, const Answers& answers) const {
     return true;
 }
 
-/// A value whose numbers are close to those of the solver and are multiples of the step, in units.
+/// Returns a value whose numbers are close to those of the solver and are multiples of the step, in units.
 std::optional<Value> SolverSearch::rounded_value(const std::vector<SolverFraction>& numbers, std::int64_t step,
                                                  const Answers& answers) const {
     const std::int64_t scale = sampling_.instantiation().scale;
@@ -356,7 +357,7 @@ std::optional<Value> SolverSearch::rounded_value(const std::vector<SolverFractio
     return std::nullopt;
 }
 
-/// A value with as few decimal places as possible.
+/// Returns a value with as few decimal places as possible.
 std::optional<Value> SolverSearch::decimal_value(const z3::model& model, const Answers& answers) {
     std::vector<SolverFraction> numbers;
     for (std::size_t i = 0; i < formulas_.parts().size(); ++i) {

@@ -9,27 +9,28 @@
 
 namespace robochart::ir {
 
-/// Makes statements with control points of one machine. Points are numbered in the order of the calls.
+/// Makes statements with control points of one machine. Control points are numbered in the order in which the
+/// statements are made.
 class StatementMaker {
 public:
     /// The machine must outlive the object.
     explicit StatementMaker(Machine& machine) : machine_(machine) {}
 
-    /// The statement with a new control point.
+    /// Returns the statement with a new control point.
     [[nodiscard]] StmtPtr make(Stmt stmt);
-    /// The sequence of these statements. If there is only one statement, returns this statement itself.
+    /// Returns the sequence of these statements. If there is only one statement, returns this statement itself.
     [[nodiscard]] StmtPtr sequence_of(std::vector<StmtPtr> statements, const Origin& origin);
     [[nodiscard]] StmtPtr skip(const Origin& origin);
     [[nodiscard]] StmtPtr assignment(VariableId variable, ExprPtr value, const Origin& origin);
-    /// An internal choice. Without alternatives, the thread blocks.
+    /// Returns an internal choice. Without alternatives, the thread blocks.
     [[nodiscard]] StmtPtr choice_of(std::vector<StmtPtr> alternatives, const Origin& origin);
-    /// An internal choice of the value that the variable gets.
+    /// Returns an internal choice of the value that the variable gets.
     [[nodiscard]] StmtPtr choice_of_value(VariableId variable, const std::vector<ExprPtr>& values,
                                           const Origin& origin);
     [[nodiscard]] StmtPtr if_then_else(ExprPtr condition, StmtPtr then, StmtPtr otherwise, const Origin& origin);
     /// Adds a variable of the machine. If the name is in use, the variable gets a longer one.
     VariableId add_variable(std::string name, TypeId type, const Origin& origin);
-    /// An expression that reads the variable.
+    /// Returns an expression that reads the variable.
     [[nodiscard]] ExprPtr read(VariableId variable, diagnostics::Span span) const;
 
 private:

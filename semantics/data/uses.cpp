@@ -71,7 +71,7 @@ void UseCollector::read_values(const ExprPtr& expr, KeepReason why) {
     for (const PlaceId place : places_read(*expr)) needs_values(place, why, *expr);
 }
 
-/// If a condition that is not a guard is undefined, the machine stops there.
+/// Reads a condition that is not a guard. If such a condition is undefined, the machine stops.
 void UseCollector::read_condition(const ExprPtr& expr) {
     if (expr && may_be_undefined(expr))
         read_values(expr, KeepReason::undefined);
@@ -79,8 +79,8 @@ void UseCollector::read_condition(const ExprPtr& expr) {
         read_guard(expr);
 }
 
-/// A condition over one place is a test of its values as a whole. In a connective of several places, each operand is a
-/// condition, unless a call may be undefined: then the whole guard is false.
+/// Reads a guard. If it reads only one place, it is one condition on the values of this place. If a connective reads
+/// several places, each operand is a condition, unless a call may be undefined: the whole guard is then false.
 void UseCollector::read_guard(const ExprPtr& expr) {
     if (!expr) return;
     const std::set<PlaceId> read = places_read(*expr);
@@ -112,7 +112,8 @@ void UseCollector::write(PlaceId target, const ExprPtr& expr, bool initial) {
     uses_[target].writes.push_back(std::move(written));
 }
 
-/// An assignment to a part of a variable is treated as a computation of the whole new value from the old value.
+/// Reads an assignment to a part of a variable. It is treated as a computation of the whole new value from the old
+/// value.
 void UseCollector::write_part(const Stmt& stmt) {
     const PlaceId target = places_.variable(machine_, stmt.variable);
     if (computed_ == Computed::exactly) {

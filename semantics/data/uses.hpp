@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a model does with the values of each flow class. Private to this component.
+// Collects what a model does with the values of each flow class. Private to this component.
 #pragma once
 
 #include <map>
@@ -13,14 +13,14 @@
 
 namespace robochart::ir {
 
-/// A condition that depends on the value of one place only.
+/// A condition that depends only on the value of one place.
 struct Condition {
     const Expr* expr = nullptr;
     MachineId machine;
     ExprPtr body;  ///< the condition with calls replaced by the bodies of functions
 };
 
-/// A value that is stored or sent, other than a copy of a place.
+/// A value that is stored or sent and is not a copy of a place.
 struct Written {
     const Expr* expr = nullptr;  ///< null: the default value of the type
     MachineId machine;
@@ -33,19 +33,19 @@ struct Written {
 struct Uses {
     std::vector<Condition> conditions;
     std::vector<Written> writes;
-    /// For every transition that takes an event of the class with its value: the condition on the value, null if the
-    /// transition takes every value.
+    /// For every transition that receives a value of the class: the condition on the value, or null if the transition
+    /// takes every value.
     std::vector<const Expr*> entries;
     std::optional<Keep> needs_values;  ///< the first use that needs the values themselves
 };
 
-/// How exactly the class model represents computed values.
+/// How the class model represents computed values.
 enum class Computed {
     exactly,  ///< computed values keep their carriers if a condition reads them
     freely,   ///< computed values may belong to any class, or be undefined
 };
 
-/// Collects the uses of all flow classes. If the model copies a value, the flow classes of both places are united in
+/// Collects the uses of all flow classes. If the model copies a value, unites the flow classes of both places in
 /// `places`.
 [[nodiscard]] std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places,
                                                    Computed computed = Computed::exactly);

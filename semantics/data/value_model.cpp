@@ -114,10 +114,11 @@ private:
     Places places_;
     std::map<PlaceId, Uses> uses_;
     std::map<PlaceId, ValueClasses> classes_;
-    std::map<TypeId, std::set<PlaceId>> flows_;  ///< of the machines, by type
+    std::map<TypeId, std::set<PlaceId>> flows_;  ///< the flow classes of the machines, by type
 };
 
-/// False if values of the place's flow class are computed, or if some use requires the values themselves.
+/// Adds the flow class of a place. Returns false if its values are computed, or if some use requires the values
+/// themselves.
 bool Explorer::add_place(PlaceId place) {
     if (place == no_id || !has_numbers(system_, places_[place].type)) return true;
     const PlaceId flow = places_.class_of(place);
@@ -144,7 +145,7 @@ bool Explorer::find_flows() {
     return true;
 }
 
-/// True if the machines compute the same results with carriers and without. Constants and initial values are computed
+/// True if the machines compute the same results with and without carriers. Constants and initial values are computed
 /// before code is generated.
 bool Explorer::machines_are_free(const System& rewritten) const {
     return std::ranges::all_of(machines_, [&](MachineId id) {
@@ -158,7 +159,7 @@ bool Explorer::machines_are_free(const System& rewritten) const {
     });
 }
 
-/// The default value first, then the others in ascending order.
+/// Returns the values that the model writes: first the default value, then the others in ascending order.
 std::vector<Value> Explorer::written_values(TypeId type, const std::set<PlaceId>& flows) const {
     const Value standard = default_value(system_, sampling_.instantiation(), type);
     std::set<Value> others;
@@ -187,11 +188,11 @@ bool Explorer::add_conditions(LinearConditions& linear, TypeId type, const std::
     return true;
 }
 
-/// Candidates in each region: two more than the number of written values, or all values of a region that has fewer. If
-/// the conditions do not read all numbers of a value, the candidates of a region differ in an unread number.
+/// Returns candidates in each region: two more than the number of written values, or all values of a region that has
+/// fewer. If the conditions do not read all numbers of a value, the candidates of a region differ in an unread number.
 std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearConditions& linear, TypeId type,
                                                               const std::vector<Value>& written) const {
-    if (linear.has_remainders()) return std::nullopt;  // points() are those of one period
+    if (linear.has_remainders()) return std::nullopt;  // points() returns only the points of one period
     const std::size_t count = written.size() + fresh_values;
     std::vector<NumberPart> unread = number_parts(system_, type);
     std::erase_if(unread, [&](const NumberPart& part) {
@@ -240,8 +241,8 @@ void Explorer::add_cuts(const LinearConditions& linear, TypeId type, std::vector
     }
 }
 
-/// The comparisons of a sequence's numbers, and for each window the comparison of the size that decides whether the
-/// window has places: it has places if the form 2 * size - (2 * first - 1) is positive.
+/// Adds the comparisons of a sequence's numbers. Also adds, for each window, the comparison of the size that decides
+/// whether the window contains a place of the sequence: it does if the form 2 * size - (2 * first - 1) is positive.
 void add_sequence_cuts(const SequenceConditions& conditions, TypeId type, std::vector<Cut>& cuts) {
     for (const auto& [window, threshold] : conditions.comparisons()) {
         cuts.push_back({type, {1}, -threshold, window});
@@ -253,17 +254,17 @@ void add_sequence_cuts(const SequenceConditions& conditions, TypeId type, std::v
 bool add_sequence_cut(SequenceConditions& conditions, const Cut& cut) {
     const std::int64_t coefficient = cut.coefficients.at(0);
     if (cut.window) return coefficient == 1 && conditions.add_threshold(*cut.window, -cut.constant);
-    // The sign of coefficient * size + constant is known if that of size - threshold is.
+    // The sign of size - threshold determines the sign of coefficient * size + constant.
     const std::int64_t threshold = *floor_divide(-cut.constant, coefficient);
     return threshold < 0 || conditions.add_size(threshold);
 }
 
-/// Makes another sequence of the same region, or shows that there is none. Statement: a region has only one sequence if
-/// two conditions hold. (1) No item can be appended to this sequence. (2) For each of its items there is a window whose
-/// number is a threshold, and this item is the only one in the window that is equal to the number. Reason: the lengths
-/// with the same nonempty windows are an interval, so by (1) no sequence of the region is longer. The windows of the
-/// greatest items (with `max`: the least items) contain no other items, so every sequence of the region has these items
-/// in these places. The windows of the next items contain only these items and the previous ones, and so on.
+/// Finds another sequence in the same region, or shows that there is none. Statement: a region has only one sequence if
+/// two conditions hold. (1) No item can be appended to this sequence. (2) Each of its items is the only item in some
+/// window that is equal to the number of the window, and this number is a threshold. Reason: the lengths with the same
+/// nonempty windows are an interval, so by (1) no sequence of the region is longer. The windows of the greatest items
+/// (with `max`: the least items) contain no other items, so every sequence of the region has these items in these
+/// places. The windows of the next items contain only these items and the previous ones, and so on.
 class SequenceChanges {
 public:
     /// `unit` is the unit of one item.
@@ -297,7 +298,7 @@ public:
         return result;
     }
 
-    /// Whether it is known that the region has no other sequence. Requires that `other` has found none.
+    /// True if it is known that the region has no other sequence. Requires that `other` has found none.
     [[nodiscard]] bool is_alone(const Value& value) const {
         const std::vector<SequenceConditions::Comparison> comparisons = conditions_.comparisons();
         if (value.parts.size() > comparisons.size()) return false;
@@ -319,7 +320,7 @@ public:
 private:
     static constexpr std::size_t most_places = 64;
 
-    /// A number beyond all thresholds, or the least natural number.
+    /// Returns a number beyond all thresholds, or the least natural number.
     [[nodiscard]] std::int64_t beyond(std::int64_t side) const {
         std::int64_t greatest = 0;
         for (const auto& [window, threshold] : conditions_.comparisons())

@@ -28,7 +28,7 @@ std::string sequence_text(const System& system, std::int64_t scale, TypeId eleme
     return fmt::format("<{}>", fmt::join(texts, ", "));
 }
 
-/// The parts of a text are its bytes.
+/// Returns a string in quotes. The parts of its value are its bytes.
 std::string string_text(const Value& value) {
     std::string text;
     for (const Value& part : value.parts) text += static_cast<char>(static_cast<unsigned char>(part.number));
@@ -37,7 +37,7 @@ std::string string_text(const Value& value) {
 
 }  // namespace
 
-/// Recursion depth: the depth of types.
+/// See value_text.hpp. The recursion is as deep as the type.
 std::string value_text(const System& system, std::int64_t scale, TypeId id, const Value& value) {
     const Type& type = system.type(id);
     std::vector<std::string> parts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values as text for reports. Private to this component.
+// Writes values as text for reports. Private to this component.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace robochart::ir {
 
-/// The value as in RoboChart, for types without strings, functions, relations and matrices; consecutive equal elements
-/// of a sequence are printed once, with their number: `<30 times 0.5, 1>`.
+/// Returns the value in the notation of RoboChart, for types without strings, functions, relations and matrices.
+/// Consecutive equal elements of a sequence are written once, with their number: `<30 times 0.5, 1>`.
 [[nodiscard]] std::string value_text(const System& system, std::int64_t scale, TypeId type, const Value& value);
 
 }  // namespace robochart::ir

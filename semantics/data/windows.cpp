@@ -67,7 +67,7 @@ bool SequenceConditions::add_comparison(const Expr& subject, const Expr& with) {
     return add_window(plain, value->number);
 }
 
-/// `min(ran(extract(W, s)))` and the same with `max`.
+/// Adds a comparison of `min(ran(extract(W, s)))`, or of the same expression with `max`.
 bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold) {
     const bool greatest = is_toolkit(extremum, "sequence_toolkit_max");
     if (!greatest && !is_toolkit(extremum, "sequence_toolkit_min")) return false;
@@ -133,7 +133,8 @@ std::vector<int> SequenceConditions::signs_at(const Value& sequence) const {
     return result;
 }
 
-/// Maps a set of windows to the cell of the places that exactly these windows contain; places are ascending.
+/// Returns the cells. A cell is the set of places that lie in exactly the same windows. The key is the set of these
+/// windows (by their numbers), and the places of a cell are ascending.
 std::map<std::vector<std::size_t>, std::vector<std::int64_t>> SequenceConditions::cells() const {
     std::map<std::int64_t, std::vector<std::size_t>> of_place;
     for (std::size_t w = 0; w < windows_.size(); ++w)
@@ -143,7 +144,7 @@ std::map<std::vector<std::size_t>, std::vector<std::int64_t>> SequenceConditions
     return result;
 }
 
-/// All lengths at which a cell begins or a comparison of the size changes, the longest first.
+/// Returns all lengths at which a cell begins or a comparison of the size changes, the longest first.
 std::vector<std::int64_t> SequenceConditions::lengths() const {
     std::set<std::int64_t> found{0};
     for (const auto& [windows, places] : cells()) {
@@ -161,7 +162,8 @@ std::int64_t SequenceConditions::unit_of(TypeKind kind) const {
     return kind == TypeKind::real ? scale_ : 1;
 }
 
-/// The thresholds of these windows, the numbers between neighbours, and one number beyond each end.
+/// Returns the thresholds of these windows, one number between each two neighbouring thresholds, and one number beyond
+/// each end.
 std::vector<std::int64_t> SequenceConditions::numbers_beside(const std::vector<std::size_t>& windows,
                                                              TypeKind kind) const {
     std::set<std::int64_t> thresholds;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sequences that satisfy conditions about windows in every possible combination. Private to this component.
+// Finds sequences for every possible combination of answers to conditions on windows. Private to this component.
 //
 // A window is a set of places of a sequence, as in `min(ran(extract([31, 90], scan))) < near`. The windows divide the
 // places into cells: two places are in one cell if they are in the same windows. Statement: for every sequence there is
-// a candidate for which each condition has the same value. Reason: (1) The least number in a window is the least of the
-// least numbers in its cells. So a sequence may be replaced by one that contains in each cell only the cell's least
-// number (for `max`, the greatest). (2) The length alone determines which cells are nonempty, and this changes only at
-// the first place of a cell. (3) A comparison with a constant changes only at this constant. Step 1 requires that all
-// windows use `min`, or all use `max`.
+// a candidate for which all conditions have the same answers. Reason: (1) The least number in a window is the least of
+// the least numbers in its cells. So a sequence may be replaced by one that contains in each cell only the cell's least
+// number (for `max`, the greatest). (2) Only the length of the sequence determines which cells contain elements, and
+// this changes only at the first place of a cell. (3) The answer of a comparison with a constant changes only at this
+// constant. Step 1 requires that all windows use `min`, or all use `max`.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace robochart::ir {
 
-/// Conditions about a sequence of numbers in one place.
+/// Conditions on a sequence of numbers in one place.
 class SequenceConditions {
 public:
     /// `scale` is the number of units that represent 1.
@@ -30,11 +30,11 @@ public:
     /// Adds a condition that reads only the sequence. Returns false unless the condition is a Boolean combination of
     /// comparisons of windows, or of the size, with constants. `closed` evaluates expressions without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
-    /// The candidates; no value if there are too many. `element` is the type of the elements. `other` is the element at
-    /// all places that are in no window.
+    /// Returns the candidates, or no value if there are too many. `element` is the type of the elements. Candidates
+    /// have the element `other` at all places that are in no window.
     [[nodiscard]] std::optional<std::vector<Value>> values(TypeId element, const Value& other) const;
 
-    /// Whether some windows use `min` and others use `max`. In that case there are no candidates.
+    /// True if some windows use `min` and others use `max`. In that case there are no candidates.
     [[nodiscard]] bool has_both_extremes() const;
 
     /// Adds a comparison of the number in a window, or of the size, with a threshold. Returns false if the threshold,
@@ -47,11 +47,12 @@ public:
         std::int64_t threshold = 0;
     };
     [[nodiscard]] std::vector<Comparison> comparisons() const;
-    /// For each comparison, the sign of the number minus the threshold; 2 if the window contains no place of the
-    /// sequence.
+    /// Returns, for each comparison, the sign of the number minus the threshold, or 2 if the window contains no place
+    /// of the sequence.
     [[nodiscard]] std::vector<int> signs_at(const Value& sequence) const;
 
-    /// The greatest number with which the conditions compare the size; no value if a condition reads elements.
+    /// Returns the greatest number with which the conditions compare the size, or no value if a condition reads
+    /// elements.
     [[nodiscard]] std::optional<std::int64_t> greatest_size() const {
         if (!windows_.empty()) return std::nullopt;
         return sizes_.empty() ? 0 : *sizes_.rbegin();
@@ -68,10 +69,10 @@ private:
 
     const System& system_;
     std::int64_t scale_;
-    ClosedValue closed_;  ///< evaluates the parts without variables of the condition that is being added
+    ClosedValue closed_;  ///< evaluates the parts of the current condition that have no variables
     std::vector<SequenceWindow> windows_;
-    std::vector<std::set<std::int64_t>> thresholds_;  ///< for each window, in the unit of its numbers
-    std::set<std::int64_t> sizes_;                    ///< numbers that the size is compared with
+    std::vector<std::set<std::int64_t>> thresholds_;  ///< the thresholds of each window, in the unit of its numbers
+    std::set<std::int64_t> sizes_;                    ///< numbers with which the size is compared
 };
 
 }  // namespace robochart::ir

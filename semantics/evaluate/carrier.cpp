@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finite carriers of types, default values and membership in carriers (semantics 3.6, 3.13).
+// Computes the finite carriers of types, default values and membership in carriers (semantics 3.6, 3.13).
 #include <algorithm>
 #include <stdexcept>
 
@@ -52,7 +52,7 @@ Values Carriers::values_up_to(std::int64_t count) const {
     return values;
 }
 
-/// All tuples with one component from each column, in lexicographic order.
+/// Returns all tuples with one component from each column, in lexicographic order.
 Values Carriers::all_tuples(const std::vector<Values>& columns) const {
     Values result{{}};
     for (const auto& column : columns) {
@@ -104,7 +104,7 @@ Values Carriers::repeated_tuples(const Values& base, std::size_t count) const {
     return all_tuples(std::vector<Values>(count, base));
 }
 
-/// All subsets of `base`, which is ascending and has no duplicates.
+/// Returns all subsets of `base`, which is ascending and has no duplicates.
 Values Carriers::all_subsets(const Values& base) const {
     Values result{{}};
     for (const auto& item : base) {
@@ -120,7 +120,7 @@ Values Carriers::all_subsets(const Values& base) const {
     return result;
 }
 
-/// All total functions, as sets of pairs (RoboTool's Function(A, B)).
+/// Returns all total functions, as sets of pairs (RoboTool's Function(A, B)).
 Values Carriers::function_values(const Type& type) {
     const Values domain = values_of(type.args.at(0));
     Values result = repeated_tuples(values_of(type.args.at(1)), domain.size());
@@ -212,7 +212,7 @@ bool rows_in(const System& system, const Instantiation& instantiation, const Typ
            });
 }
 
-/// `count` components of a vector, all equal to the default of the element type.
+/// Returns a vector of `count` components that are all equal to `item`.
 Value filled_vector(std::int64_t count, const Value& item) {
     return {0, Values(static_cast<std::size_t>(std::max<std::int64_t>(count, 0)), item)};
 }
@@ -290,7 +290,7 @@ Value default_value(const System& system, const Instantiation& instantiation, Ty
             return filled_vector(type.sizes.at(0), filled_vector(type.sizes.at(1), default_value(system, instantiation,
                                                                                                  type.args.at(0))));
         case TypeKind::function: {
-            // A total function maps every argument; the default function maps all to the default of the result type.
+            // The default value of a total function maps every argument to the default value of the result type.
             const Value image = default_value(system, instantiation, type.args.at(1));
             for (const Value& argument : carrier_values(system, instantiation, type.args.at(0)))
                 value.parts.push_back({0, {argument, image}});

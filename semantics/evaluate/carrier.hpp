@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of a type in a finite instantiation.
+// Lists the values of a type in a finite instantiation.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace robochart::ir {
 
-/// All values of a type in ascending order; the first is not necessarily the default. Throws std::length_error if there
-/// are more than `limit`.
+/// Returns all values of a type in ascending order. The first value is not necessarily the default value. Throws
+/// std::length_error if there are more than `limit`.
 [[nodiscard]] std::vector<Value> carrier_values(const System&, const Instantiation&, TypeId,
                                                 std::size_t limit = 1U << 20U);
-/// The initial value of a variable without one (semantics 3.6): 0, true, the first literal, the empty sequence or the
-/// empty set.
+/// Returns the initial value of a variable for which the model gives none (semantics 3.6): 0, true, the first literal,
+/// the empty sequence or the empty set.
 [[nodiscard]] Value default_value(const System&, const Instantiation&, TypeId);
 /// True if a value belongs to the finite carrier of a type.
 [[nodiscard]] bool in_carrier(const System&, const Instantiation&, TypeId, const Value&);

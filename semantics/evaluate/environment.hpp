@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of the names in an expression, and the error of an expression without a value.
+// Stores the values of the names in an expression, and defines the error of an expression without a value.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace robochart::ir {
 
-/// The fault of an expression without a value: division by zero, an index out of range, or a result beyond 64 bits.
+/// Thrown by an expression without a value: division by zero, an index out of range, or a result beyond 64 bits.
 class EvaluationFault : public std::runtime_error {
 public:
     EvaluationFault(const std::string& cause, diagnostics::Span where) : std::runtime_error(cause), span(where) {}
     diagnostics::Span span;
 };
 
-/// The values of the names in a machine's expressions. A vector may be shorter than the machine's if an expression does
-/// not use the rest; using a missing value is a fault.
+/// The values of the names in a machine's expressions. A vector may be shorter than the list of the machine if the
+/// expression does not use the rest. The use of a missing value is a fault.
 struct Environment {
     std::vector<Value> variables;      ///< indexed by VariableId
     std::vector<Value> constants;      ///< indexed by ConstantId

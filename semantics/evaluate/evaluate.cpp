@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates expressions: names, logic, comparisons, and the dispatch to families of expressions. evaluate.hpp states
-// the rules.
+// Evaluates names, logic and comparisons, and dispatches to the other families of expressions. evaluate.hpp states the
+// rules.
 #include "semantics/evaluate/evaluate.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value of an expression over finite carriers. This is the reference for arithmetic: csp_emit's functions and
-// cpp_emit's code must agree with it (their tests compare).
+// Computes the value of an expression over finite carriers. This is the reference for arithmetic: the functions that
+// csp_emit writes and the code that cpp_emit writes must agree with it, which their tests check.
 //
 // Numbers (semantics 3.13):
 // * nat and int are whole numbers. A real is stored as the whole number scale * value (Instantiation::scale).
@@ -14,13 +14,12 @@
 //   rounded down to a whole unit and clipped as above. With scale 1 this is RoboTool's treatment of reals as integers;
 //   for this reason, rounding is downwards and not towards zero.
 // * Division by zero has no value: RoboTool's Div stops FDR with an error, so it is a fault here.
-// * A call of a function that the model specifies only by contract is the default of its result type (RoboTool's
-//   default).
+// * The value of a function that the model does not define is the default value of the result type (as in RoboTool).
 // * Comparisons, equality and since() never clip.
 //
-// Composed values: tuples, records, sequences and vectors have one part per component. Matrices have one part per row,
-// which is a vector. Sets have their members in ascending order; functions and relations have their pairs (two-part
-// tuples) in ascending order.
+// Composed values: a tuple, record, sequence or vector has one part per component. A matrix has one part per row, which
+// is a vector. The parts of a set are its members, and the parts of a function or relation are its pairs (two-part
+// tuples), in ascending order.
 #pragma once
 
 #include <optional>
@@ -34,13 +33,13 @@
 
 namespace robochart::ir {
 
-/// The value of an expression. `machine` finds the clock of sinceEntry; it may be null if the expression has none.
-/// Throws EvaluationFault; quantifiers over types without a small carrier throw std::length_error.
+/// Returns the value of an expression. `machine` is needed for the clocks of sinceEntry, and may be null if the
+/// expression has none. Throws EvaluationFault. Quantifiers over types without a small carrier throw std::length_error.
 [[nodiscard]] Value evaluate_expression(const System&, const Instantiation&, const Machine* machine, const Environment&,
                                         const Expr&);
 
-/// A decimal in units of 1/scale, rounded down if the scale has too few digits; no value if it does not fit into 64
-/// bits.
+/// Returns a decimal in units of 1/scale, rounded down if the scale has too few digits. Returns no value if the result
+/// does not fit into 64 bits.
 [[nodiscard]] std::optional<std::int64_t> scale_decimal(const Decimal&, std::int64_t scale);
 
 }  // namespace robochart::ir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values with parts; evaluate.hpp states the conventions.
+// Constructs and accesses composed values. evaluate.hpp states how they are represented.
 #include "semantics/evaluate/evaluate_composed.hpp"
 
 #include <algorithm>

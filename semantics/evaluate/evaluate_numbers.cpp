@@ -12,7 +12,8 @@ namespace robochart::ir {
 
 namespace {
 
-/// The result before clipping; no value if it does not fit into 64 bits, so that it is outside every carrier.
+/// Returns the result before clipping. Returns no value if it does not fit into 64 bits and is therefore outside every
+/// carrier.
 std::optional<std::int64_t> exact_result(ExprKind kind, bool real, std::int64_t scale, std::int64_t left,
                                          std::int64_t right) {
     if (kind == ExprKind::plus) return checked_add(left, right);
@@ -25,7 +26,7 @@ std::optional<std::int64_t> exact_result(ExprKind kind, bool real, std::int64_t 
 
 }  // namespace
 
-/// RoboTool's Plus, Minus, ... on numbers of one type.
+/// Computes RoboTool's Plus, Minus, ... on numbers of one type.
 Value Evaluator::clip_result(const Expr& expr, ExprKind op, TypeId type, const Value& left, const Value& right) {
     const bool divides = op == ExprKind::divide || op == ExprKind::modulus;
     if (divides && right.number == 0) throw_fault(expr, "division by zero");
@@ -56,7 +57,7 @@ Value Evaluator::apply_entrywise(const Expr& expr, TypeId entry, const Value& le
     return result;
 }
 
-/// Multiplies every entry by a number. The operands keep their order, because clipping returns the first one.
+/// Multiplies every entry by a number. The operands keep their order, because clipping yields the first one.
 Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
     if (left.parts.empty() && right.parts.empty()) return clip_result(expr, ExprKind::times, entry, left, right);
     Value result;
@@ -66,7 +67,7 @@ Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left,
     return result;
 }
 
-/// The rows of a matrix; a vector is a column.
+/// Returns the rows of a matrix. A vector is a column.
 std::vector<std::vector<Value>> Evaluator::rows_of(const Value& block, TypeId type) {
     std::vector<std::vector<Value>> result;
     for (const Value& part : block.parts)
@@ -74,7 +75,7 @@ std::vector<std::vector<Value>> Evaluator::rows_of(const Value& block, TypeId ty
     return result;
 }
 
-/// Matrix product, with sums computed from the left; for two vectors, the dot product.
+/// Computes the product of two matrices, or the dot product of two vectors. Sums are computed from the left.
 Value Evaluator::multiply_blocks(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
     const TypeId left_type = argument_at(expr, 0).type;
     const bool dot = kind(left_type) == TypeKind::vector && kind(argument_at(expr, 1).type) == TypeKind::vector;

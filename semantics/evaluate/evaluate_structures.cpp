@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates expressions that construct values with parts, access parts, or iterate over the values of a type:
-// constructors, access, ranges, quantifiers and other binders, functions of the model and of the toolkits.
+// Evaluates expressions that construct composed values, access their parts, or iterate over the values of a type:
+// constructors, ranges, quantifiers and other binders, and functions of the model and of the toolkits.
 #include <algorithm>
 #include <utility>
 
@@ -62,9 +62,9 @@ Value Evaluator::function_call(const Expr& expr) {
     return function_result(system_.functions.at(expr.function.index), arguments, expr);
 }
 
-/// The value of a function without a definition is always the default value of its result type: 0, true or the first
-/// literal (semantics 3.13). With postconditions, it is the first value that satisfies them; the default value is tried
-/// first.
+/// Returns the value of a function call. Without postconditions, it is the default value of the result type: 0, true or
+/// the first literal (semantics 3.13). With postconditions, it is the first value that satisfies them, and the default
+/// value is tried first.
 Value Evaluator::function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
     const Value constant = default_value(system_, instantiation_, function.result);
     if (function.postconditions.empty()) return constant;
@@ -95,7 +95,7 @@ Value Evaluator::function_result(const Function& function, const std::vector<Val
     return *found;
 }
 
-/// A function as the set of its pairs, for the arguments that satisfy its precondition.
+/// Returns a function as the set of its pairs, for the arguments that satisfy its precondition.
 Value Evaluator::function_pairs(const Expr& expr) {
     const Function& function = system_.functions.at(expr.function.index);
     std::vector<Value> pairs;
@@ -115,7 +115,7 @@ Value Evaluator::toolkit_call(const Expr& expr) {
     return toolkit_result(expr.text, evaluate_operands(expr), carriers, expr.span);
 }
 
-/// The whole numbers between the bounds, or the reals of the carrier between them.
+/// Returns the whole numbers between the bounds, or the reals of the carrier between them.
 Value Evaluator::evaluate_range(const Expr& expr) {
     const std::int64_t low = evaluate_operand(expr, 0).number;
     const std::int64_t high = evaluate_operand(expr, 1).number;

@@ -11,7 +11,7 @@ namespace robochart::ir {
 
 namespace {
 
-/// The types of the parts of a value, one per part.
+/// Returns the types of the parts of a value, one per part.
 std::vector<TypeId> part_types(const System& system, const Type& type, std::size_t parts) {
     if (type.kind == TypeKind::product || type.kind == TypeKind::record) return type.args;
     if (type.kind != TypeKind::matrix) return std::vector<TypeId>(parts, type.args.at(0));
@@ -42,7 +42,7 @@ Value Evaluator::convert_value(const Expr& expr, const Value& value, TypeId from
     return {*result, {}};
 }
 
-/// The types of the two components of a pair; empty if the elements of the set are not pairs.
+/// Returns the types of the two components of the pairs in a set, or an empty result if the elements are not pairs.
 std::vector<TypeId> Evaluator::pair_types(const Type& type) {
     if (type.args.size() == 2) return type.args;
     const Type& element = system_.type(type.args.at(0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The class that implements evaluate.hpp by structural recursion: one member function per family of expressions, in
-// four source files. Private to this component.
+// Declares the class that implements evaluate.hpp by structural recursion. It has one member function per family of
+// expressions, in four source files. Private to this component.
 #pragma once
 
 #include <string>
@@ -26,8 +26,8 @@ public:
         : system_(system), instantiation_(instantiation), machine_(machine), environment_(environment) {}
 
     Value evaluate_value(const Expr& expr);
-    /// True if the preconditions of all functions that the expression calls are true, evaluated in the order of the
-    /// semantics.
+    /// True if the preconditions of all functions that the expression calls are true. They are evaluated in the order
+    /// of the semantics.
     bool is_defined(const Expr& expr);
     /// True if the function's preconditions are true for these arguments.
     bool may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
@@ -40,10 +40,10 @@ private:
     Value evaluate_literal(const Expr& expr);
     Value name(const Expr& expr);
     static Value truth_value(bool holds) { return {holds ? 1 : 0, {}}; }
-    /// Applies `holds` to the values of both operands.
+    /// Returns the truth value of `holds` for the values of both operands.
     template <class Holds>
     Value compare_operands(const Expr& expr, const Holds& holds);
-    /// Applies `holds` to the numbers of both operands.
+    /// Returns the truth value of `holds` for the numbers of both operands.
     template <class Holds>
     Value compare_numbers(const Expr& expr, const Holds& holds);
     Value evaluate_arithmetic(const Expr& expr);
@@ -63,8 +63,8 @@ private:
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
     Value evaluate_access(const Expr& expr);
-    /// The values of the body for all bound values that satisfy the predicate, in order. Without a body, these bound
-    /// values.
+    /// Returns the values of the body for all bound values that satisfy the predicate, in order. Without a body,
+    /// returns these bound values.
     std::vector<Value> where_satisfied(const Expr& expr);
     static Value only_candidate(const Expr& expr, const std::vector<Value>& candidates);
     static std::size_t true_ones(const std::vector<Value>& values);
@@ -101,7 +101,7 @@ private:
     const Machine* machine_;
     const Environment& environment_;
     std::vector<std::pair<std::string, Value>> bindings_;
-    int depth_ = 0;  ///< nesting of function calls being evaluated
+    int depth_ = 0;  ///< current depth of function calls
 };
 
 }  // namespace robochart::ir

@@ -49,7 +49,7 @@ bool true_without_fault(const Answer& answer) {
 
 }  // namespace
 
-/// Inner calls are checked first, because the precondition of an outer call may need their values.
+/// See evaluator.hpp. Inner calls are checked first, because the precondition of an outer call may need their values.
 bool Evaluator::is_defined(const Expr& expr) {
     if (!has_preconditions(expr)) return true;
     if (binds_names(expr.kind)) return defined_for_all(expr);
@@ -70,7 +70,7 @@ bool Evaluator::is_defined(const Expr& expr) {
            may_be_called(system_.functions.at(expr.function.index), evaluate_operands(expr), expr);
 }
 
-/// Whether the predicate is defined for all bound values, and the body for those that satisfy the predicate.
+/// True if the predicate is defined for all bound values, and the body is defined for those that satisfy the predicate.
 bool Evaluator::defined_for_all(const Expr& expr) {
     bool result = true;
     each_binding(expr, 0, [&] { result = result && (!expr.args.at(0) || is_defined(*expr.args[0])); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preconditions of the functions that expressions call (semantics 3.5). Computes whether they are true, and whether
-// this can be decided without running the model.
+// Evaluates the preconditions of functions that expressions call (semantics 3.5), and decides whether a precondition
+// can be false.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,22 @@
 
 namespace robochart::ir {
 
-/// True if the expression binds variables: preconditions inside are checked for each of their values.
+/// True if the expression binds variables. Preconditions inside such an expression are checked for each value of the
+/// variables.
 [[nodiscard]] bool binds_names(ExprKind);
 
 /// True if the expression reads a variable, the value of a trigger or a clock, so that it cannot be evaluated in
 /// advance.
 [[nodiscard]] bool depends_on_state(const Expr&);
 
-/// True if the function may be called with these arguments. The preconditions of functions that its precondition calls
-/// are checked first. Throws like evaluate_expression().
+/// True if the function may be called with these arguments. Preconditions of functions that are called in its
+/// precondition are checked first. Throws like evaluate_expression().
 [[nodiscard]] bool precondition_holds(const System&, const Instantiation&, const Function&,
                                       const std::vector<Value>& arguments);
 
-/// True if the precondition of this call can be false. The function may belong to the model or to a toolkit. It may
-/// also be used as a value, which has a pair for every argument that satisfies the precondition. False if the
-/// expression is not a call, or if constants (by ConstantId) and literals alone make the precondition true.
+/// True if the expression is a call whose precondition can be false. The function may belong to the model or to a
+/// toolkit. It may also be used as a value, which has a pair for every argument that satisfies the precondition. The
+/// precondition cannot be false if constants (by ConstantId) and literals alone make it true.
 [[nodiscard]] bool precondition_can_fail(const System&, const Instantiation&, const std::vector<Value>& constants,
                                          const Expr& call);
 /// True if some call in the expression has a precondition that can be false. A function used as a value is not a call.

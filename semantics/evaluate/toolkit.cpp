@@ -118,7 +118,7 @@ bool occurs_in(const Value& part, const Value& whole, bool at_start, bool at_end
         if (slice_of(whole, at, at + part.parts.size()) == part) return true;
     return false;
 }
-/// The second components of the pairs, in the order of the first ones.
+/// Returns the second components of the pairs, in the order of the first components.
 Value squash_sequence(const Value& pairs) {
     Value result;
     for (const Value& p : pairs.parts) result.parts.push_back(second_of(p));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of the toolkit libraries: their names, the types on which they depend, and their values. The libraries
+// Evaluates the functions of the toolkit libraries, and finds the types on which they depend. The libraries
 // (frontend/toolkits/library) specify the functions by contract, and csp_emit writes them in CSPM. This file is the
 // reference for both.
 #pragma once
@@ -12,12 +12,13 @@
 
 namespace robochart::ir {
 
-/// The type variables of the signature whose carriers the result depends on, as positions in order of first occurrence.
+/// Returns the type variables whose carriers influence the result. Type variables are numbered in the order of their
+/// first occurrence in the signature.
 [[nodiscard]] std::vector<std::size_t> toolkit_carriers(const std::string& function);
 /// True if the function has a precondition that can be false.
 [[nodiscard]] bool toolkit_precondition(const std::string& function);
-/// The value of a call such as `set_toolkit_union`; a call that violates the precondition is a fault. `carriers`: the
-/// values of the types that toolkit_carriers returns.
+/// Returns the value of a call of a function such as `set_toolkit_union`. A call that violates the precondition is a
+/// fault. `carriers` contains the values of the types that toolkit_carriers returns.
 [[nodiscard]] Value toolkit_result(const std::string& function, const std::vector<Value>& arguments,
                                    const std::vector<std::vector<Value>>& carriers, diagnostics::Span where);
 

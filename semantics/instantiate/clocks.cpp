@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value at which a clock may saturate (semantics 3.10 stops clocks at the greatest value of their type).
+// Computes the value at which a clock may saturate (semantics 3.10 stops clocks at the greatest value of their type).
 #include <algorithm>
 #include <set>
 
@@ -17,13 +17,14 @@ const std::vector<std::int64_t>& carrier_of(const Instantiation& instantiation, 
     return kind == TypeKind::integer ? instantiation.integer : instantiation.nat;
 }
 
-/// A whole number that is at least as large as every value of the expression, in time units.
+/// Returns a whole number that is at least as large as every value of the expression, in time units.
 std::int64_t upper_bound(const System& system, const Instantiation& instantiation, const Machine& machine,
                          const Expr& expr) {
     const TypeKind kind = expr.type.is_valid() ? system.type(expr.type).kind : TypeKind::nat;
     const auto& carrier = carrier_of(instantiation, kind);
     std::int64_t bound = carrier.empty() ? 0 : carrier.back();
-    // A constant may have another value in another context (its component of a controller), so only literals are exact.
+    // A constant may have different values in different contexts (controllers), so a bound is exact only if the
+    // expression contains no constant.
     bool exact = true;
     visit_operands(expr, [&](const Expr& part) { exact = exact && part.kind != ExprKind::constant; });
     if (const auto value = evaluate_constant(system, instantiation, &machine, expr))

@@ -18,8 +18,8 @@
 namespace robochart::ir {
 namespace {
 
-constexpr std::size_t most_of_expression = 64;  // values of one expression without variables
-constexpr int most_depth = 16;                  // nesting of constants that are defined by constants
+constexpr std::size_t most_of_expression = 64;  // limit on the values of one expression without variables
+constexpr int most_depth = 16;                  // limit for chains of constants that are defined by constants
 
 // ---------------------------------------------------------------- decimals
 
@@ -49,8 +49,8 @@ bool is_whole(const Decimal& value) {
     return *floor_modulus(value.unscaled, power_of_ten(value.decimals).value_or(1)) == 0;
 }
 
-/// If two decimals cannot be converted to the same number of decimal places, they are in no carrier. They are then
-/// ordered only by their rounded-down whole parts.
+/// Compares two decimals. If they cannot be converted to the same number of decimal places, no carrier contains them,
+/// and only their whole parts, rounded down, are compared.
 bool is_less(const Decimal& a, const Decimal& b) {
     const auto both = align_decimals(a, b);
     return both ? both->left < both->right : floor_of(a) < floor_of(b);
@@ -78,7 +78,7 @@ std::optional<Decimal> multiply_decimals(const Decimal& a, const Decimal& b) {
     return Decimal{*value, a.decimals + b.decimals};
 }
 
-/// The quotient, rounded down to a whole number.
+/// Returns the quotient, rounded down to a whole number.
 std::optional<Decimal> divide_decimals(const Decimal& a, const Decimal& b) {
     const auto both = align_decimals(a, b);
     const auto value = both ? floor_divide(both->left, both->right) : std::nullopt;
@@ -90,7 +90,7 @@ std::optional<Decimal> divide_decimals(const Decimal& a, const Decimal& b) {
 using Decimals = std::vector<Decimal>;
 using Chosen = std::map<std::string, ExprPtr>;
 
-/// The number that a block Instantiations assigns to a name; no value if it is another expression.
+/// Returns the number that a block Instantiations assigns to a name, or no value if it is another expression.
 std::optional<std::int64_t> defined_number(const std::string& text, const std::string& name) {
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
         if (at > 0 && diagnostics::continues_name(text[at - 1])) continue;
@@ -105,14 +105,14 @@ std::optional<std::int64_t> defined_number(const std::string& text, const std::s
     return std::nullopt;
 }
 
-/// The possible values of expressions without variables.
+/// Computes the possible values of expressions without variables.
 class KnownValues {
 public:
     KnownValues(const System& system, const Chosen& chosen, std::int64_t longest)
         : system_(system), chosen_(chosen), longest_(longest) {}
 
-    /// No value if the expression depends on the state of a machine. `machine` declares the constants; null: it uses
-    /// none.
+    /// Returns no value if the expression depends on the state of a machine. `machine` declares the constants of the
+    /// expression, and is null if there are none.
     [[nodiscard]] std::optional<Decimals> find_values(const Expr&, const Machine*, int depth = 0) const;
     [[nodiscard]] bool is_length(const Expr& expr) const {
         const bool size = expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size";
@@ -185,8 +185,8 @@ const Decimals& KnownValues::values_of_constant(const std::string& name, int dep
     return constants_[name] = found;
 }
 
-/// All constants with the same name are treated as one, because a required constant gets its value from another
-/// constant with this name.
+/// Returns the values of all constants with this name. They are treated as one constant, because a required constant
+/// gets its value from another constant with this name.
 Decimals KnownValues::values_of(const std::string& name, int depth) const {
     Decimals values;
     for (const Machine& machine : system_.machines) add_declared(machine.constants, name, &machine, depth + 1, values);
@@ -225,10 +225,10 @@ public:
     void look_at(const Expr&, const Machine*);
     /// Records steps of counters: `n = n + 7`, `n = n - 7`.
     void look_at_assignment(const Stmt&, const Machine&);
-    /// A counter that is compared with a number by order may exceed it by one step.
+    /// Adds the values that counters reach one step beyond the numbers with which they are compared by order.
     void add_steps();
-    /// If two variables are compared by order, their type must contain a greater and a smaller number for each value
-    /// that one of them may have.
+    /// Adds numbers for variables that are compared by order with each other. Their type must contain a greater and a
+    /// smaller number for each value that one of them may have.
     void add_extremes(const Literals&);
     void add_between(const Literals&);
     /// Records the conversions of values that are stored or sent to reals: `q = x` for x : int and q : real.
@@ -237,7 +237,8 @@ public:
     void look_at_stored(TypeId value, TypeId place) {
         conversions_.emplace(system_.type(value).kind, system_.type(place).kind);
     }
-    /// If a value is converted to a wider type, it is treated as compared with the numbers of this type.
+    /// Adds numbers for conversions. A value that is converted to a wider type is treated as compared with the numbers
+    /// of this type.
     void add_converted();
 
 private:
@@ -263,8 +264,8 @@ private:
     Compared& result_;
     std::vector<NumberOfVariable> limits_, steps_;
     std::set<TypeKind> unlike_variables_;  // types with order comparisons of two values that can both change
-    std::set<std::pair<TypeKind, TypeKind>> conversions_;  // of values that can change
-    Decimals thresholds_;                                  // numbers that reals are compared with by order
+    std::set<std::pair<TypeKind, TypeKind>> conversions_;  // the conversions of values that can change
+    Decimals thresholds_;                                  // numbers with which reals are compared by order
 };
 
 void Comparisons::look_at(const Expr& expr, const Machine* machine) {
@@ -296,7 +297,7 @@ void Comparisons::record_comparison(const Expr& subject, const Expr& with, const
     }
 }
 
-/// Records the values that parts of the subject need so that the subject can be on either side of the value.
+/// Records the values that the parts of the subject must have so that the subject can be on either side of `value`.
 void Comparisons::add(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
     if (known_.is_length(subject) || known_.find_values(subject, machine)) return;
     const TypeKind type = kind(subject);

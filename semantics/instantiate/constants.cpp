@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of constants (semantics 3.13: a constant without a value is 0, or the first literal).
+// Determines the values of constants (semantics 3.13: a constant without a value is 0, or the first literal).
 #include "semantics/instantiate/constants.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ ExprPtr literal_of(const Type& declaration, const std::string& text, TypeId type
     return nullptr;
 }
 
-/// A RoboChart literal of a type; null if the text is not one.
+/// Returns a RoboChart literal of a type, or null if the text is not one.
 ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) {
     const Type& type = system.type(id);
     switch (type.kind) {
@@ -150,7 +150,7 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
 ChosenConstants chosen_constants(const System& system, const GivenConstants& options, Literals& literals,
                                  Diagnostics& diagnostics) {
     ChosenConstants chosen;
-    std::map<std::string, std::string> chosen_by;  // the option that names a constant, by the constant's path
+    std::map<std::string, std::string> chosen_by;  // the option that sets a constant, by the constant's path
     std::set<std::pair<std::string, std::string>> refused;
     const auto constants = named_constants(system);
     for (const auto& [option, text] : options) {
@@ -211,7 +211,8 @@ void set_constants(const System& system, const ChosenConstants& chosen, Instanti
 
 namespace {
 
-/// The value from a source. A constant expression may use other constants of the machine, nested up to a limit.
+/// Returns the value from a source. A constant expression may use other constants of the machine, up to a limit on
+/// nesting.
 std::optional<Value> source_value(const System& system, const Instantiation& instantiation,
                                   const ConstantSource& source, const std::vector<Value>& before) {
     const auto it = instantiation.constants.find(source.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of constants from options, defaults and constant expressions (private to this component).
+// Determines the values of constants from options, defaults and constant expressions (private to this component).
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace robochart::ir {
 
-/// Constants set by options: qualified name -> the literal as an expression.
+/// The constants that options set, by qualified name. The values are literals as expressions.
 using ChosenConstants = std::map<std::string, ExprPtr>;
 
 /// Reads the options, reports wrong ones (including two that name the same constant), and adds their numbers to the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of constants from several sources: those of the command line override those of a scenario, a swarm or a log.
+// Combines the values of constants from several sources. Those of the command line override those of a scenario, a
+// swarm or a log.
 #pragma once
 
 #include <map>
@@ -10,14 +11,14 @@
 namespace robochart::ir {
 
 /// Values of constants as in InstantiationOptions. The key is "NAME", a path "P::S::NAME" or the end of a path such as
-/// "S::NAME"; the value is a RoboChart literal. A name refers to every constant whose path equals it or ends with it.
-/// Two names of one source must not refer to the same constant (RC-S24).
+/// "S::NAME"; the value is a RoboChart literal. A name refers to every constant whose path is equal to the name or ends
+/// with it. Two names of one source must not refer to the same constant (RC-S24).
 using GivenConstants = std::map<std::string, std::string>;
 
-/// The names of `weaker` that `stronger` does not override; different spellings of a name are recognised. If `stronger`
-/// overrides only some constants of a name, the name is kept, so that both together are rejected (RC-S24). Otherwise it
-/// would be unclear which value is meant, because a constant passes its value to those of its components. A name that
-/// matches no constant of the system is kept, too.
+/// Returns the entries of `weaker` that `stronger` does not override. Different names of one constant are recognised.
+/// If `stronger` overrides only some of the constants to which a name refers, the result contains the name, so that
+/// both entries together are rejected (RC-S24). Otherwise the value would be ambiguous, because a constant passes its
+/// value to the constants of its components. The result also contains names that match no constant of the system.
 [[nodiscard]] GivenConstants not_overridden(const System&, const GivenConstants& weaker,
                                             const GivenConstants& stronger);
 

@@ -26,7 +26,7 @@ constexpr std::int64_t most_values = 1 << 20;
 struct Range {
     std::int64_t low = 0;
     std::int64_t high = 0;
-    bool chosen = false;  ///< given by an option
+    bool chosen = false;  ///< an option gives the range
 
     void include_value(std::int64_t value) {
         low = std::min(low, value);
@@ -35,13 +35,13 @@ struct Range {
     [[nodiscard]] bool has(std::int64_t value) const { return low <= value && value <= high; }
 };
 
-/// The ranges of nat, int and real, in this order; each type can be used as the next.
+/// The ranges of nat, int and real, in this order. Values of each type can be used as values of the next type.
 struct Ranges {
     std::array<Range, 3> by_type{Range{0, 2, false}, Range{-2, 2, false}, Range{-2, 2, false}};
     static constexpr std::array<const char*, 3> names{"nat", "int", "real"};
 };
 
-/// The least whole number not below a decimal (`up`), or the greatest not above it.
+/// Rounds a decimal up to a whole number if `up` is true, and down otherwise.
 std::int64_t round_to_whole(const Decimal& decimal, bool up) {
     const std::int64_t divisor = power_of_ten(decimal.decimals).value_or(1);
     const std::int64_t down = *floor_divide(decimal.unscaled, divisor);
@@ -55,8 +55,8 @@ void include_value(Range& range, const Decimal& decimal) {
         range.high = std::max(range.high, round_to_whole(decimal, false));
 }
 
-/// Whether the name is that of a size, which starts at 0: lengths of sequences, times of clocks, elements of given
-/// types.
+/// True if the name denotes a size, whose range starts at 0: the length of sequences, the time of clocks, the number of
+/// elements of given types.
 bool is_size(const std::string& name) {
     return name == "Seq" || name == "clock" || name == "given";
 }
@@ -93,7 +93,8 @@ void report_outside(const Range& range, const char* name, const std::string& lit
                        {literal, std::to_string(range.low), std::to_string(range.high), name});
 }
 
-/// Literals widen a default range. A range chosen by an option is not changed, and literals outside it are reported.
+/// Widens the default ranges by the literals. A range that an option sets is not changed, and literals outside it are
+/// reported.
 void widen_by_literals(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
     const std::array<const std::set<std::int64_t>*, 2> whole_numbers{&literals.nat, &literals.integer};
     for (std::size_t i = 0; i < whole_numbers.size(); ++i)
@@ -147,17 +148,17 @@ void nest_ranges(Ranges& ranges, Diagnostics& diagnostics) {
     }
 }
 
-/// The place of the number in the model that makes a range large.
+/// Returns the place of the number in the model that makes a range large.
 diagnostics::Span cause_of(const Range& range, const Literals& literals) {
-    const bool upwards = range.high > -(range.low + 1);  // cannot overflow, even for the least number
+    const bool upwards = range.high > -(range.low + 1);  // does not overflow, even for the least number
     auto found = literals.places.find(upwards ? range.high : range.low);
     // A range may extend one number beyond a number of the model.
     if (found == literals.places.end()) found = literals.places.find(upwards ? range.high - 1 : range.low + 1);
     return found == literals.places.end() ? diagnostics::Span{} : found->second;
 }
 
-/// The numbers of a large range that conditions can distinguish: those of the narrower type, the ends of the range, the
-/// whole numbers of the model, and the neighbours of all these.
+/// Returns the numbers of a large range that conditions can distinguish: those of the narrower type, the ends of the
+/// range, the whole numbers of the model, and the neighbours of all these.
 std::vector<std::int64_t> distinguished_numbers(const Range& range, const std::vector<std::int64_t>& narrower,
                                                 const Literals& literals) {
     std::set<std::int64_t> numbers(narrower.begin(), narrower.end());
@@ -173,7 +174,7 @@ std::vector<std::int64_t> distinguished_numbers(const Range& range, const std::v
     return {numbers.begin(), numbers.end()};
 }
 
-/// The smallest power of ten that makes every decimal literal a whole number.
+/// Returns the smallest power of ten that makes every decimal literal a whole number.
 std::int64_t scale_of(const Literals& literals) {
     std::uint32_t places = 0;
     for (const auto* list : {&literals.real, &literals.real_time})
@@ -188,8 +189,8 @@ public:
     NumberCarriers(const Literals& literals, Diagnostics& diagnostics)
         : literals_(literals), diagnostics_(diagnostics) {}
 
-    /// The carrier of a type; it has gaps if the range of the model's numbers is too large. `narrower` is the carrier
-    /// of the subtype: that of nat for int, and that of int for real.
+    /// Returns the carrier of a type. It has gaps if the range of the model's numbers is too large. `narrower` is the
+    /// carrier of the subtype: that of nat for int, and that of int for real.
     [[nodiscard]] std::vector<std::int64_t> whole(const Range& range, const char* name,
                                                   const std::vector<std::int64_t>& narrower) {
         const auto size = checked_subtract(range.high, range.low);
@@ -210,7 +211,7 @@ public:
         return result;
     }
 
-    /// The whole numbers of the range and every decimal literal, in units of 1/scale.
+    /// Returns the whole numbers of the range and every decimal literal, in units of 1/scale.
     [[nodiscard]] std::vector<std::int64_t> reals(const Range& range, const std::vector<std::int64_t>& narrower,
                                                   std::int64_t scale) {
         std::set<std::int64_t> units;
@@ -234,7 +235,7 @@ private:
     bool reported_ = false;
 };
 
-/// The value at which all clocks of the model can saturate without a change of any comparison.
+/// Returns the value at which all clocks of the model can saturate without a change of any comparison.
 std::int64_t clock_need(const System& system, const Instantiation& instantiation) {
     std::int64_t result = 0;
     for (const auto& machine : system.machines)

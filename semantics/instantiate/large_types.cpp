@@ -19,7 +19,7 @@ class Sizes {
 public:
     Sizes(const System& system, const Instantiation& instantiation) : system_(system), instantiation_(instantiation) {}
 
-    /// The number of values of the type.
+    /// Returns the number of values of the type.
     [[nodiscard]] double size_of_type(TypeId id) const;
     /// Collects the number types that the type consists of.
     void collect_number_types(TypeId id, std::set<TypeKind>& found) const {
@@ -90,7 +90,7 @@ double Sizes::size_of_type(TypeId id) const {
     return 1;
 }
 
-/// Types whose values are communicated, so that each value is enumerated.
+/// Returns the types whose values are communicated. Each of these values is enumerated.
 std::vector<TypeId> communicated_types(const System& system) {
     std::vector<TypeId> result;
     const auto add = [&](const auto& component) {
@@ -105,7 +105,7 @@ std::vector<TypeId> communicated_types(const System& system) {
     return result;
 }
 
-/// The number of the model farthest from 0 that widens one of these carriers, with its place.
+/// Returns the number in the model that widens one of these carriers and is farthest from 0, with its place.
 std::string widest_number(const System& system, const std::set<TypeKind>& kinds,
                           const diagnostics::SourceManager& sources) {
     const Literals literals = literals_of(system);

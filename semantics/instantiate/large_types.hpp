@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of a model with too many values to enumerate.
+// Finds types of a model with too many values to enumerate.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace robochart::ir {
 
 /// Describes the first type of an event or a parameter that has more than `most` values: its name, the number in the
-/// model that makes its carrier so large, and the option that narrows it. "" if there is none.
+/// model that makes its carrier so large, and the option that makes it smaller. Returns "" if there is no such type.
 [[nodiscard]] std::string large_type(const System&, const Instantiation&, double most,
                                      const diagnostics::SourceManager&);
 

@@ -43,7 +43,7 @@ private:
         if (expr.kind == ExprKind::cast) return is_length(*expr.args.at(0));
         return expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size" && is_sequence(*expr.args.at(0));
     }
-    /// The positions that a number, a set of numbers or a range refers to.
+    /// Returns the positions that a number, a set of numbers or a range refers to.
     [[nodiscard]] static std::optional<Window> positions_in(const Expr& expr) {
         if (expr.kind == ExprKind::integer) return Window{expr.number, expr.number};
         const bool listed =
@@ -57,8 +57,8 @@ private:
         }
         return result;
     }
-    /// Records how long sequences must be so that this comparison with a length can be true and can be false.
-    /// Lengths are at least 0 and at most that of the longest sequence.
+    /// Records how long sequences must be so that this comparison with a length is true for some lengths and false for
+    /// others. Lengths are at least 0 and at most that of the longest sequence.
     void read_comparison(const Expr& expr, std::int64_t number, bool length_first) {
         const bool above = expr.kind == (length_first ? ExprKind::greater : ExprKind::less) ||
                            expr.kind == (length_first ? ExprKind::less_equal : ExprKind::greater_equal);

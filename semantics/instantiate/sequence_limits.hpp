@@ -19,11 +19,11 @@ struct SequenceLimit {
     Kind kind = Kind::window;
     diagnostics::Span span;
     std::int64_t first = 0;   ///< window: the least position
-    std::int64_t needed = 0;  ///< the length at which the comparison can change its result, or that contains the whole
+    std::int64_t needed = 0;  ///< length at which the comparison can change its result, or that contains the whole
                               ///< window
 };
 
-/// The limits in the order of the model. Only literals are considered, because computed numbers are unknown.
+/// Returns the limits in the order of the model. Only literals are considered, because computed numbers are unknown.
 [[nodiscard]] std::vector<SequenceLimit> sequence_limits(const System&, const Instantiation&);
 
 }  // namespace robochart::ir

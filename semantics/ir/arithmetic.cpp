@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checked arithmetic on 64-bit integers. Products are computed in 128 bits.
+// Computes checked arithmetic on 64-bit integers. Products are computed in 128 bits.
 #include "semantics/ir/arithmetic.hpp"
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checked 64-bit arithmetic. The result has no value if the exact result does not fit.
+// Provides checked 64-bit arithmetic. A result has no value if the exact result does not fit.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,22 @@
 namespace robochart::ir {
 
 [[nodiscard]] std::optional<std::int64_t> checked_add(std::int64_t, std::int64_t);
-/// value + 1; the largest number if that does not fit.
+/// Returns value + 1, or the largest number if that does not fit.
 [[nodiscard]] std::int64_t number_after(std::int64_t value);
 [[nodiscard]] std::optional<std::int64_t> checked_subtract(std::int64_t, std::int64_t);
 [[nodiscard]] std::optional<std::int64_t> checked_multiply(std::int64_t, std::int64_t);
-/// 10^exponent.
+/// Returns 10^exponent.
 [[nodiscard]] std::optional<std::int64_t> power_of_ten(std::uint32_t exponent);
-/// CSPM's `/`: the quotient rounded down (towards minus infinity). The FDR2 manual (appendix A.1.2) requires m =
-/// n*(m/n) + m%n, |m%n| < |n|, and m%n >= 0 for n > 0, which means rounding down. For n < 0 it does not define the
-/// result; this function also rounds down. No value if the divisor is 0 or the quotient does not fit.
+/// Computes CSPM's `/`: the quotient rounded down (towards minus infinity). The FDR2 manual (appendix A.1.2) requires m
+/// = n*(m/n) + m%n, |m%n| < |n|, and m%n >= 0 for n > 0, which means rounding down. For n < 0 the manual does not
+/// define the result, and this function also rounds down. Returns no value if the divisor is 0 or the quotient does not
+/// fit.
 [[nodiscard]] std::optional<std::int64_t> floor_divide(std::int64_t, std::int64_t);
-/// CSPM's `%`: the remainder of floor_divide, which has the divisor's sign. No value if the divisor is 0.
+/// Computes CSPM's `%`: the remainder of floor_divide, which has the divisor's sign. Returns no value if the divisor is
+/// 0.
 [[nodiscard]] std::optional<std::int64_t> floor_modulus(std::int64_t, std::int64_t);
-/// left * right / divisor, rounded down. The product is exact. No value if the divisor is 0 or the result does not fit.
+/// Returns left * right / divisor, rounded down. The product is exact. Returns no value if the divisor is 0 or the
+/// result does not fit.
 [[nodiscard]] std::optional<std::int64_t> multiply_divide(std::int64_t left, std::int64_t right, std::int64_t divisor);
 
 }  // namespace robochart::ir

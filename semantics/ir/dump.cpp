@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The IR as text, for `--print ir`.
+// Writes the IR as text, for `--print ir`.
 #include <fmt/format.h>
 
 #include "semantics/ir/dump.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The IR as text.
+// Writes the IR as text.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace robochart::ir {
 
-/// The IR as text, for `--print ir`: stable, one declaration a line, programs indented.
+/// Returns the IR as text, for `--print ir`. Equal systems give equal texts. Each declaration is on one line, and
+/// programs are indented.
 [[nodiscard]] std::string dump_text(const System&);
-/// One expression on one line, fully bracketed, with the names of the machine (may be null).
+/// Returns an expression on one line, with all parentheses and with the names of the machine, which may be null.
 [[nodiscard]] std::string dump_text(const System&, const Machine*, const Expr&);
 
 }  // namespace robochart::ir

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints expressions and statements: close to RoboChart, fully bracketed, with the names of the machine.
+// Prints expressions and statements in a notation close to RoboChart, with all parentheses and with the names of the
+// machine.
 #include "semantics/ir/dump_expressions.hpp"
 
 #include <fmt/format.h>
@@ -131,7 +132,7 @@ public:
     }
 
 private:
-    /// The text of an expression that is neither a name, an operator nor a keyword with operands.
+    /// Returns the text of an expression that is neither a name, an operator nor a keyword with operands.
     std::optional<std::string> own_form(const Expr& expr) {
         switch (expr.kind) {
             case ExprKind::boolean:

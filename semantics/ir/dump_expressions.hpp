@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints expressions, types and statements for dump (private to this component).
+// Prints expressions, types and statements for dump.hpp (private to this component).
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace robochart::ir {
 
 [[nodiscard]] std::string type_text(const System&, TypeId);
 [[nodiscard]] std::string expression_text(const System&, const Machine*, const Expr&);
-/// The expression as " WORD text"; "" if it is null.
+/// Returns the expression as " WORD text", or "" if it is null.
 [[nodiscard]] std::string clause_text(const System&, const Machine*, const char* word, const ExprPtr&);
 [[nodiscard]] std::string communication_text(const System&, const Machine&, const Communication&);
-/// One line per statement, "point: text"; inner statements are indented further.
+/// Returns one line per statement, "point: text". Inner statements are indented further.
 [[nodiscard]] std::string program_text(const System&, const Machine&, const Stmt&, std::size_t indent);
 
 }  // namespace robochart::ir

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The spans of a machine's elements are nested, so the smallest one that contains a place is the innermost.
+// Finds the innermost element that contains a place. The spans of a machine's elements are nested, so it is the
+// smallest one.
 #include "semantics/ir/element_at.hpp"
 
 namespace robochart::ir {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the element of the model that contains a place, for reports about expressions, which have no names.
+// Finds the element of the model that contains a place. Reports about expressions name this element, because
+// expressions have no names.
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace robochart::ir {
 
-/// The smallest element of a component, or the function, that contains a place, with its package: "P::S::t1"; "" if
-/// there is none.
+/// Returns the name of the function or of the smallest element of a component that contains a place, with its package:
+/// "P::S::t1". Returns "" if there is none.
 [[nodiscard]] std::string element_at(const System&, diagnostics::Span);
 
 }  // namespace robochart::ir

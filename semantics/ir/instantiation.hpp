@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finite instantiation of a System: the values of its types and constants.
+// Represents a finite instantiation of a System: the values of its types and constants.
 #pragma once
 
 #include <compare>
@@ -14,12 +14,12 @@
 
 namespace robochart::ir {
 
-/// A value over finite carriers. Numbers are stored as integers; a real is stored as the integer scale*value. Booleans
-/// are 0 or 1; enumerations and given types are the index of the literal. Composed values use `parts`.
+/// A value over finite carriers. Numbers are stored as integers, and a real is stored as the integer scale*value. A
+/// Boolean is 0 or 1. A value of an enumeration or given type is the index of its literal. Composed values use `parts`.
 struct Value {
     std::int64_t number = 0;
     std::vector<Value> parts;
-    /// Orders by number, then part by part; of two lists, a prefix comes first.
+    /// Orders by number, then part by part. A list comes before the lists that it begins.
     friend std::strong_ordering operator<=>(const Value&, const Value&);
     friend bool operator==(const Value&, const Value&);
 };
@@ -33,26 +33,27 @@ struct InstantiationOptions {
 
 /// A finite instantiation of a System. All sets are ascending and have no duplicates.
 struct Instantiation {
-    /// Reals are integers in units of 1/scale. A power of ten; 1 if the model has no decimal literal (as in RoboTool).
+    /// Reals are integers in units of 1/scale. The scale is a power of ten, and 1 if the model has no decimal literal
+    /// (as in RoboTool).
     std::int64_t scale = 1;
     std::vector<std::int64_t> nat, integer;
     /// The values of type real in units of 1/scale: the whole numbers of the range and every decimal literal of the
     /// model.
     std::vector<std::int64_t> real;
     std::vector<diagnostics::ForeignText> strings{""};  ///< values of type string
-    std::int64_t given_size = 2;                        ///< elements of each given type
-    std::int64_t sequence_bound = 2;                    ///< longest sequence
+    std::int64_t given_size = 2;                        ///< number of elements of each given type
+    std::int64_t sequence_bound = 2;                    ///< length of the longest sequence
     std::int64_t clock_bound = 10;                      ///< core_clock_type = {0..clock_bound}
-    std::int64_t recursion_bound = 2;                   ///< nested calls of one operation
-    bool unbounded = false;  ///< every number belongs to its type, so that arithmetic is not clipped
-    /// Constants without a value in the model, and those that an option sets: qualified name as in CSP (`const_P_S_c`,
-    /// see query.hpp) -> value. An entry here overrides the value in the model.
+    std::int64_t recursion_bound = 2;                   ///< limit on nested calls of one operation
+    bool unbounded = false;                             ///< carriers contain all numbers, so arithmetic is not clipped
+    /// The values of constants that have none in the model, or that an option sets, by their qualified names as in CSP
+    /// (`const_P_S_c`, see query.hpp). An entry overrides the value in the model.
     std::map<std::string, Value> constants;
-    /// Composed types for which only some values are considered. Maps the number of the type to its values, ascending.
-    /// Empty except for the conformance of components that only pass such values on
-    /// (conformance/model/representatives.hpp).
+    /// Composed types for which only some values are considered. Maps the index of the type to these values, in
+    /// ascending order. Only the conformance check of components that pass such values on without reading them uses
+    /// this (conformance/model/representatives.hpp).
     std::map<std::uint32_t, std::vector<Value>> representatives;
-    /// The limits of the run. Code that iterates over carriers or evaluates expressions polls this budget.
+    /// The limits on time and memory. Code that iterates over carriers or evaluates expressions polls this budget.
     diagnostics::Budget* budget = nullptr;
 
     void poll() const {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shared intermediate representation: a RoboChart model in normal form. References are resolved, names are indices,
-// expressions are typed, actions are small structured programs. Both back ends (csp_emit, cpp_emit) read only this; it
-// contains no CSP and no C++.
+// Defines the shared intermediate representation: a RoboChart model in normal form. References are resolved, names are
+// indices, expressions are typed, and actions are small structured programs. The back ends csp_emit and cpp_emit read
+// only this representation. It contains no CSP and no C++.
 //
 // Conventions: every *Id is an index into the vector named in its comment, local to the enclosing Machine unless stated
-// otherwise. Origins refer to the model text for reports.
+// otherwise. An Origin gives the place in the model text, for reports.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace robochart::ir {
 
 inline constexpr std::uint32_t no_id = 0xffffffffU;
 
-/// Strong index types; `is_valid()` is false for a default-constructed one.
+/// An index of its own type for each kind of element. `is_valid()` is false for a default-constructed index.
 template <class Tag>
 struct Id {
     std::uint32_t index = no_id;
@@ -39,7 +39,7 @@ using OperationId = Id<struct OperationTag>;    ///< Machine::operations
 using NodeId = Id<struct NodeTag>;              ///< Machine::nodes
 using TransitionId = Id<struct TransitionTag>;  ///< Machine::transitions
 
-/// The core types, interned first in every System.
+/// The ids of the core types, which every System interns first.
 inline constexpr TypeId boolean_type{0};
 inline constexpr TypeId nat_type{1};
 inline constexpr TypeId integer_type{2};
@@ -79,7 +79,7 @@ enum class TypeKind {
     return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
 }
 
-/// A type; equal types have one TypeId.
+/// A type. Equal types have the same TypeId.
 struct Type {
     TypeKind kind = TypeKind::unit;
     std::string name;                               ///< RoboChart name ("nat", "Light"); composed types: as written
@@ -217,12 +217,13 @@ enum class StmtKind {
 struct Stmt;
 using StmtPtr = std::shared_ptr<const Stmt>;
 
-/// A structured program. `point` numbers the statements of one machine: unique, stable, dense from 0.
+/// A statement of a structured program. `point` is its number among the statements of the machine, which are numbered
+/// from 0 without gaps.
 struct Stmt {
     StmtKind kind = StmtKind::skip;
     std::uint32_t point = 0;
-    /// sequence: all; if: then, else (else may be skip); deadline: one; choose: alternatives, of which the machine
-    /// performs one, by an internal choice; without alternatives, the thread is blocked for ever
+    /// sequence: all statements; if: then, else (else may be skip); deadline: one statement; choose: the alternatives
+    /// of an internal choice. If there are no alternatives, the thread is blocked for ever.
     std::vector<StmtPtr> body;
     ExprPtr condition;          ///< if
     VariableId variable;        ///< assign: the variable
@@ -262,7 +263,8 @@ struct Constant {
     std::string name;
     TypeId type;
     ExprPtr value;  ///< null: taken from the instantiation
-    /// Declared by a required interface; its value is that of the provider (semantics/ir/query.hpp).
+    /// True if a required interface declares the constant. It then has the value of its provider
+    /// (semantics/ir/query.hpp).
     bool required = false;
     std::string interface;
     Origin origin;
@@ -289,8 +291,8 @@ struct Clock {
     Origin origin;
 };
 
-/// An operation that a machine calls. Which definition it refers to depends on the context
-/// (controller, module, or none): see MachineInstance::definitions.
+/// An operation that a machine calls. Its definition depends on the context of the machine (controller, module, or
+/// none): see MachineInstance::definitions.
 struct OperationSignature {
     std::string name;
     std::vector<std::string> parameter_names;
@@ -301,10 +303,10 @@ struct OperationSignature {
     bool output = false;  ///< RoboSim: an operation of the output context, which the platform performs
 };
 
-/// RoboSim: an input of a machine or operation, which a cycle reads at its beginning.
+/// RoboSim: an input of a machine or operation. Each cycle reads it at the beginning.
 struct Input {
     std::string name;    ///< the name of the event or variable
-    VariableId full;     ///< an event: whether its register is full; a variable: invalid
+    VariableId full;     ///< the Boolean that is true if the register of an event is full; invalid for a variable
     VariableId content;  ///< the value of the register; invalid for an event without a type
     Origin origin;
 };
@@ -338,7 +340,8 @@ struct Transition {
     std::optional<Communication> trigger;
     std::vector<ClockId> resets;
     ExprPtr guard;  ///< null: true. `condition else` is already the negation of the other conditions
-    /// The guard contains since or sinceEntry; the untimed semantics uses a weaker guard (untimed_guards.hpp).
+    /// True if the guard contains since or sinceEntry. The untimed semantics then uses a weaker guard
+    /// (untimed_guards.hpp).
     bool guard_timed = false;
     ExprPtr deadline;
     ExprPtr probability;
@@ -351,7 +354,8 @@ struct Transition {
 /// A defined operation is a machine, too.
 enum class MachineKind { state_machine, operation };
 
-/// A state machine or a defined operation, independent of the places that contain or call it.
+/// A state machine or a defined operation, independent of the controllers that contain it and of the machines that call
+/// it.
 struct Machine {
     MachineKind kind = MachineKind::state_machine;
     std::string name;
@@ -361,7 +365,8 @@ struct Machine {
     std::vector<Constant> constants;
     std::vector<Event> events;
     std::vector<Clock> clocks;
-    std::vector<OperationSignature> operations;  ///< operations that it may call: required ones, in textual order
+    /// Operations that the machine requires and may call, in textual order.
+    std::vector<OperationSignature> operations;
     std::vector<Node> nodes;
     std::vector<NodeId> top;  ///< top-level nodes in textual order
     NodeId initial;           ///< invalid: no body
@@ -381,7 +386,8 @@ struct Machine {
 struct MachineInstance {
     std::string name;  ///< the name of the reference (`sref stm0 = S`) or of the inline machine
     MachineId machine;
-    /// For each Machine::operations entry: the definition in this context, or invalid (a platform call).
+    /// For each entry of Machine::operations: the definition in this context. An invalid id means a call of the
+    /// platform.
     std::vector<MachineId> definitions;
     Origin origin;
 };
@@ -411,10 +417,10 @@ struct Controller {
     std::vector<Variable> variables;  ///< own variables (scope local) and required ones
     std::vector<Constant> constants;
     std::vector<Event> events;
-    std::vector<OperationSignature> operations;  ///< required but not defined here: calls that leave the controller
+    std::vector<OperationSignature> operations;  ///< required but not defined here: calls of them leave the controller
     std::vector<MachineId> definitions;          ///< operations defined here (inline or by opref)
     std::vector<std::string>
-        definition_names;  ///< names of the references (`opref move_ref = Move`), or own names of inline ones
+        definition_names;  ///< names of the references (`opref move_ref = Move`), or names of inline definitions
     std::vector<MachineInstance> machines;
     std::vector<Connection> connections;
     std::vector<std::string> interfaces;
@@ -433,7 +439,7 @@ struct ControllerInstance {
 struct Platform {
     std::string name;
     std::vector<Variable>
-        variables;  ///< provided, local and used; scope `required` = provided (visible), `local` otherwise
+        variables;  ///< provided, local and used; scope `required` if provided (visible), `local` otherwise
     std::vector<Constant> constants;
     std::vector<Event> events;
     std::vector<OperationSignature> operations;
@@ -452,7 +458,7 @@ struct Module {
     bool robosim = false;  ///< it runs in cycles; the constants of its platform include cycle_length
 };
 
-/// A function that the model uses and specifies only by contract. `parameter_names` are bound in the conditions, and
+/// A function that the model uses. Only its contract specifies it. `parameter_names` are bound in the conditions, and
 /// `result` is bound in the postconditions. Postconditions define the result: the default value of the result type if
 /// it satisfies them, otherwise the least value of its carrier that does (rule RC-S20).
 struct Function {
@@ -468,13 +474,15 @@ struct Function {
 
 // ---------------------------------------------------------------- properties (from .assertions)
 
-/// The subject of an assertion; `process`: a process that a CSP block defines; `simulation`: of RoboSim.
+/// The kind of component that an assertion names. A CSP block defines a `process`, and RoboSim has the kind
+/// `simulation`.
 enum class ComponentKind { module, controller, machine, operation, simulation, process };
 
 /// A component named in an assertion, with references resolved.
 struct ComponentRef {
     ComponentKind kind = ComponentKind::process;
-    /// CSP module path without the package ("M::ctrl_ref0::stm_ref0", "S", "OP_move"); process: the name as written.
+    /// The path of the CSP module without the package ("M::ctrl_ref0::stm_ref0", "S", "OP_move"). For a process, the
+    /// name in the assertion.
     std::string path;
     std::string package;               ///< "" if unnamed
     std::uint32_t definition = no_id;  ///< index into System::modules, controllers, machines, simulations or csp_blocks
@@ -508,18 +516,18 @@ struct Property {
     PropertyModel model = PropertyModel::failures_divergences;
     ComponentRef subject;
     ComponentRef other;  ///< refines, equals
-    /// reachable: CSP path of the state below the subject ("S1", "C::Inner"); clock_initialised: the clock;
-    /// event_missed: the state of the subject, "" for the whole machine.
+    /// For reachable: the CSP path of the state below the subject ("S1", "C::Inner"). For clock_initialised: the clock.
+    /// For event_missed: the state of the subject, or "" for the whole machine.
     std::string state;
     std::string event;            ///< event_missed
     std::string rule;             ///< conforms: the name of the rule
     std::int64_t time_units = 1;  ///< event_missed: the number of consecutive time units
-    /// `with constant c of X set to e`: the name of the constant as in query.hpp, for the component that determines its
-    /// value (the provider, if it is required). For `with parameter p of O`, the name begins with "param_" instead of
-    /// "const_".
+    /// `with constant c of X set to e`: the name of the constant as in query.hpp, and its value. The name is that of
+    /// the component that determines the value (the provider of a required constant). For `with parameter p of O`, the
+    /// name begins with "param_" instead of "const_".
     std::vector<std::pair<std::string, ExprPtr>> constants;
     std::string file;     ///< path of the .assertions file
-    std::string wording;  ///< the assertion as written, on one line
+    std::string wording;  ///< the source text of the assertion, on one line
     Origin origin;
 };
 
@@ -528,11 +536,11 @@ struct Simulation {
     std::string name;
     ComponentRef subject;
     Constant cycle;                            ///< cycle_length
-    std::vector<std::string> inputs, outputs;  ///< of a machine: the names in the contexts
+    std::vector<std::string> inputs, outputs;  ///< the names in the contexts of a machine
     Origin origin;
 };
 
-/// A raw CSPM block of an .assertions file.
+/// A block of CSPM text in an .assertions file.
 struct CspBlock {
     std::string name;
     bool timed = true, untimed = true;
@@ -549,7 +557,7 @@ struct System {
     std::vector<Machine> machines;  ///< state machines and operations, in textual order of files sorted by path
     std::vector<Controller> controllers;
     std::vector<Module> modules;
-    std::vector<Property> properties;  ///< by the paths of their files, then in textual order
+    std::vector<Property> properties;  ///< in the order of the paths of their files, then in textual order
     std::vector<CspBlock> csp_blocks;
     std::vector<Simulation> simulations;  ///< RoboSim, by the paths of their files, then in textual order
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number literals of a model.
+// Collects the literals of a model.
 #include "semantics/ir/literals.hpp"
 
 #include <algorithm>
@@ -23,12 +23,12 @@ bool compares_clock(const Expr& expr) {
            (reads_clock(*expr.args[0]) || reads_clock(*expr.args[1]));
 }
 
-/// A number that selects a part is not a value of a variable.
+/// True if the expression only selects a part by a number, which is then not a value of a variable.
 bool is_place(const Expr& expr) {
     return expr.kind == ExprKind::integer;
 }
 
-/// A window that is written with literals only: `[31, 90]`, `{1, 5}`.
+/// True for a window that consists of literals only: `[31, 90]`, `{1, 5}`.
 bool is_window(const Expr& expr) {
     if (expr.kind == ExprKind::integer) return true;
     const bool listed = expr.kind == ExprKind::set || expr.kind == ExprKind::set_range || expr.kind == ExprKind::range;
@@ -48,7 +48,7 @@ struct ConstantUses {
     }
 };
 
-/// The initial values of the constants of these names.
+/// Returns the initial values of the constants of these names.
 std::set<const Expr*> values_of(const std::set<std::string>& names, const System& system) {
     std::set<const Expr*> result;
     const auto add = [&](const std::vector<Constant>& constants) {

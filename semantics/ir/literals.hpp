@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that occur in a model, by type. They widen the carriers and determine the scale (semantics 3.13).
+// Collects the numbers that occur in a model, by type. They widen the carriers and determine the scale (semantics
+// 3.13).
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,9 @@
 
 namespace robochart::ir {
 
-/// Number literals by the type that they are used with. Literals that are only a wait duration, a deadline or an
-/// operand of a comparison with since() are numbers of time units and not values of variables, so they are used only
-/// for the scale. Numbers that only select an element or field are not included.
+/// The literals of a model by type. A literal that is only used as a wait duration, as a deadline or in a comparison
+/// with since() is a number of time units and not a value of a variable. It only influences the scale. Numbers that
+/// only select an element or field are not included.
 struct Literals {
     std::set<std::int64_t> nat, integer;
     std::vector<Decimal> real;                         ///< values
@@ -22,17 +23,17 @@ struct Literals {
     std::set<diagnostics::ForeignText> strings;        ///< texts
     std::map<std::int64_t, diagnostics::Span> places;  ///< the first place of a whole number
     std::set<std::string> durations;                   ///< see constants_of_durations()
-    bool windows = false;  ///< includes the numbers of windows, which are those of W in `extract(W, s)`
+    bool windows = false;                              ///< windows are included: the numbers of W in `extract(W, s)`
 };
 
-/// If `windows` is true, the result includes the numbers of windows. They are places of a sequence and not values, but
-/// RoboTool's carriers contain them.
+/// Returns the literals of a model. If `windows` is true, the result includes the numbers of windows. They are
+/// positions in a sequence and not values, but RoboTool's carriers contain them.
 [[nodiscard]] Literals literals_of(const System&, bool windows = false);
-/// The names of constants that are used at least once, and only as a whole duration or in a comparison with since().
-/// Their values are numbers of time units, too. All constants with the same name are treated as one, because a required
-/// constant gets its value from another constant with this name.
+/// Returns the names of constants that are used only as a whole duration or in a comparison with since(), and at least
+/// once. Their values are numbers of time units, too. All constants with the same name are treated as one, because a
+/// required constant gets its value from another constant with this name.
 [[nodiscard]] std::set<std::string> constants_of_durations(const System&);
-/// Adds the literals of one expression; `time`: the whole expression is a duration.
+/// Adds the literals of one expression. `time` is true if the whole expression is a duration.
 void add_literals(const System&, const Expr&, bool time, Literals&);
 
 }  // namespace robochart::ir

@@ -10,7 +10,7 @@ bool is_number(TypeKind kind) {
     return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real;
 }
 
-/// False if a part is not a number. Recursion depth: the depth of types.
+/// Collects the numbers of a value. Returns false if a part is not a number. The recursion is as deep as the type.
 bool collect_parts(const System& system, TypeId id, std::vector<std::size_t>& path, std::vector<NumberPart>& parts) {
     const Type& type = system.type(id);
     if (is_number(type.kind)) {
@@ -40,7 +40,7 @@ bool is_number_sequence(const System& system, TypeId type) {
     return whole.kind == TypeKind::sequence && is_number(system.type(whole.args.at(0)).kind);
 }
 
-/// Recursion depth: the depth of types.
+/// See number_parts.hpp. The recursion is as deep as the type.
 bool has_numbers(const System& system, TypeId id) {
     const Type& type = system.type(id);
     switch (type.kind) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers in values of a type that consists only of numbers.
+// Finds the numbers in values of a type.
 #pragma once
 
 #include <compare>
@@ -12,13 +12,13 @@ namespace robochart::ir {
 
 /// A number in a value: the value itself, or a part of it.
 struct NumberPart {
-    std::vector<std::size_t> path;  ///< positions of parts, from the outside
+    std::vector<std::size_t> path;  ///< the position of the part at each level, outermost first
     TypeKind kind = TypeKind::real;
     friend auto operator<=>(const NumberPart&, const NumberPart&) = default;
 };
 
-/// The numbers of a value, in their order, if the type is nat, int, real, or a product or record of such types. Empty
-/// for all other types.
+/// Returns the numbers of a value, in their order, if the type is nat, int, real, or a product or record of such types.
+/// The result is empty for all other types.
 [[nodiscard]] std::vector<NumberPart> number_parts(const System& system, TypeId type);
 
 /// True for sequences of nat, int or real.

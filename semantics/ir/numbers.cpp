@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number literals.
+// Reads and writes number literals.
 #include "semantics/ir/numbers.hpp"
 
 #include <fmt/format.h>

@@ -10,14 +10,15 @@
 
 namespace robochart::ir {
 
-/// Digits with an optional sign; no value if the text has another form or does not fit into 64 bits.
+/// Reads digits with an optional sign. Returns no value if the text has another form or the number does not fit into 64
+/// bits.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view);
-/// `3`, `-0.75`: trailing zeros of the fraction are removed (0.50 is 5 * 10^-1). No value beyond 64 bits or 18 decimal
-/// places.
+/// Reads a decimal such as `3` or `-0.75`. Trailing zeros of the fraction are removed (0.50 is 5 * 10^-1). Returns no
+/// value beyond 64 bits or 18 decimal places.
 [[nodiscard]] std::optional<Decimal> parse_decimal(std::string_view);
-/// The shortest RoboChart literal: "-0.75", "3".
+/// Returns the shortest RoboChart literal of the number: "-0.75", "3".
 [[nodiscard]] std::string to_string(const Decimal&);
-/// `number` in units of 1/scale as a decimal: -1088 at scale 100 is "-10.88". The scale is a power of ten.
+/// Returns a number in units of 1/scale as a decimal: -1088 at scale 100 is "-10.88". The scale is a power of ten.
 [[nodiscard]] std::string decimal_text(std::int64_t number, std::int64_t scale);
 
 }  // namespace robochart::ir

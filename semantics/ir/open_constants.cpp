@@ -14,8 +14,7 @@ bool spans_overlap(diagnostics::Span a, diagnostics::Span b) {
     return a.is_known() && b.is_known() && a.source == b.source && a.begin < b.end && b.begin < a.end;
 }
 
-/// True if all constants of this name are open, that is, have no value in the model. A required constant has the value
-/// of its provider.
+/// True if no constant of this name has a value in the model. A required constant has the value of its provider.
 bool is_open(const System& system, const std::string& name) {
     const auto ends = [&](const std::string& path) { return path.ends_with("::" + name); };
     const std::vector<NamedConstant> constants = named_constants(system);

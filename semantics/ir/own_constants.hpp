@@ -9,9 +9,9 @@
 
 namespace robochart::ir {
 
-/// Maps each constant of a controller's component that is not provided (`const_P_C_ref_c`) to the machine's own
-/// constant (`const_P_S_c`). Unless an option gives it another value, the controller's constant has the value of the
-/// machine's own constant, because RoboTool binds the two in every assertion about a controller or a module.
+/// Maps each constant that a machine has in a controller and that nothing provides (`const_P_C_ref_c`) to the machine's
+/// own constant (`const_P_S_c`). Unless an option gives it another value, the controller's constant has the value of
+/// the machine's own constant, because RoboTool binds the two in every assertion about a controller or a module.
 [[nodiscard]] std::map<std::string, std::string> own_constants(const System&);
 
 }  // namespace robochart::ir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries about a System.
+// Answers questions about a System.
 #include "semantics/ir/query.hpp"
 
 #include <algorithm>
@@ -114,8 +114,8 @@ bool can_call(const System& system, const Controller& controller, const Machine&
     });
 }
 
-/// Follows a required constant to its providers. `calls_left` ends the search if operations call themselves, which
-/// lowering rejects.
+/// Follows a required constant to its providers. `calls_left` ends the search if an operation calls itself. (Lowering
+/// rejects such operations.)
 class ConstantSearch {
 public:
     ConstantSearch(const System& system, const Module* module, const Controller& controller)

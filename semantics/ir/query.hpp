@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries about a System that several readers of the IR need, such as the definition that an operation has in a context
-// and the name of a constant.
+// Answers questions about a System that several readers of the IR have, such as the definition of an operation in a
+// context and the name of a constant.
 #pragma once
 
 #include <string>
@@ -10,26 +10,25 @@
 
 namespace robochart::ir {
 
-/// `package::path`, or only the path if the package has no name.
+/// Returns `package::path`, or only the path if the package has no name.
 [[nodiscard]] std::string qualified_name(const ComponentRef&);
 
-/// The definition that a call of this operation runs inside a controller. It has the same name and the same parameter
-/// types (semantics 3.8). Invalid if the call leaves the controller.
+/// Returns the definition that a call of this operation runs inside a controller. The definition has the same name and
+/// the same parameter types (semantics 3.8). The id is invalid if the call leaves the controller.
 [[nodiscard]] MachineId definition_in(const System&, const Controller&, const OperationSignature&);
 
-/// The operations that a machine's own statements call, ascending, without duplicates.
+/// Returns the operations that a machine's own statements call, ascending, without duplicates.
 [[nodiscard]] std::vector<OperationId> called_operations(const Machine&);
 
-/// The text of a transition for messages: "t1: S1 -> S2".
+/// Returns the text of a transition for messages: "t1: S1 -> S2".
 [[nodiscard]] std::string text_of(const Machine&, const Transition&);
 
-/// RoboTool's name of a constant that a process takes as a parameter: `const_<package>_<path>_<constant>`. The path is
-/// that of the defining component (`S`, `C`); inside a controller, the reference's name follows (`C::stm_ref`,
-/// `C::op_ref`).
-/// The length of the cycles of a RoboSim component: `cycle_<package>_<path>_<component>`.
+/// Returns RoboTool's name of a constant that a process takes as a parameter: `const_<package>_<path>_<constant>`. The
+/// path is that of the defining component (`S`, `C`). Inside a controller, the reference's name follows (`C::stm_ref`,
+/// `C::op_ref`). The name for the length of the cycles of a RoboSim component is `cycle_<package>_<path>_<component>`.
 [[nodiscard]] std::string constant_name(const std::string& package, const std::string& path,
                                         const std::string& constant);
-/// Whether the name, made by constant_name, is that of the length of a cycle.
+/// True if a name made by constant_name denotes the length of a cycle.
 [[nodiscard]] bool is_cycle_name(const std::string&);
 
 /// The source of the value of a machine's constant when the machine runs as `part` of a controller (the name of its
@@ -38,7 +37,7 @@ namespace robochart::ir {
 ///   of the machine or operation that calls it.
 /// * Any other required constant is the controller's constant with this name. If the controller also requires it and
 ///   runs in a module, it is the platform's constant.
-/// * All other constants, and required ones that are not provided, are the component's own: `const_P_C_part_c`. If
+/// * All other constants, and required ones that nothing provides, are the component's own: `const_P_C_part_c`. If
 ///   `controller` is null, the machine is not in a controller: `const_P_S_c`. If `module` is null, the controller is
 ///   not in a module.
 struct ConstantSource {
@@ -48,7 +47,7 @@ struct ConstantSource {
 [[nodiscard]] ConstantSource constant_source(const System&, const Module* module, const Controller* controller,
                                              const std::string& part, const Machine&, ConstantId);
 
-/// All sources, if callers of an operation provide different ones (RC-S19).
+/// Returns all sources. There are several if callers of an operation provide different constants (RC-S19).
 [[nodiscard]] std::vector<ConstantSource> constant_sources(const System&, const Module* module, const Controller&,
                                                            const std::string& part, const Machine&, ConstantId);
 /// A constant that an operation of a controller requires from several callers.
@@ -56,19 +55,19 @@ struct SharedConstant {
     const Controller* controller = nullptr;
     const Machine* operation = nullptr;
     std::string constant;
-    std::vector<ConstantSource> sources;  ///< at least two
-    /// Whether all sources are one constant of one machine that runs several times. They have one value unless the
-    /// value of one of them is set; otherwise lowering rejects the model.
+    std::vector<ConstantSource> sources;  ///< at least two sources
+    /// True if all sources are one constant of one machine that runs several times. They have one value unless an
+    /// option or assertion sets one of them. If the result is false, lowering rejects the model.
     [[nodiscard]] bool is_one_constant() const;
     [[nodiscard]] std::string source_names() const;
 };
 [[nodiscard]] std::vector<SharedConstant> shared_constants(const System&);
 
-/// The source of the value of a controller's constant: the platform's constant, if the controller requires it and runs
-/// in a module.
+/// Returns the source of the value of a controller's constant: the platform's constant if the controller requires it
+/// and runs in a module, and otherwise its own.
 [[nodiscard]] ConstantSource constant_source(const Module* module, const Controller&, ConstantId);
 
-/// A constant that a user or an assertion may set. There is one for every distinct name in the system, in order of
+/// A constant that a user or an assertion may set. `named_constants` returns one for every distinct name, in order of
 /// declaration.
 struct NamedConstant {
     std::string name;  ///< `const_P_C_ref_c`
@@ -77,21 +76,22 @@ struct NamedConstant {
     bool has_value = false;  ///< the model gives a value
 };
 [[nodiscard]] std::vector<NamedConstant> named_constants(const System&);
-/// Whether a user may write `name` for the element with this path: the path itself, or its end after a `::`.
+/// True if a user may write `name` for the element with this path. `name` must be the path or the end of the path after
+/// a `::`.
 [[nodiscard]] bool is_named_by(const std::string& path, const std::string& name);
 
-/// The components of RoboSim, machines before controllers before modules; inner ones too.
+/// Returns the components of RoboSim, including inner ones: first machines, then controllers, then modules.
 [[nodiscard]] std::vector<ComponentRef> robosim_components(const System&);
-/// Whether the component is one of RoboSim.
+/// True if the component is written in RoboSim.
 [[nodiscard]] bool is_robosim(const System&, const ComponentRef&);
-/// RoboSim: the input event whose register the machine's variable represents; null for other variables.
+/// RoboSim: returns the input event whose register the machine's variable represents, or null for other variables.
 [[nodiscard]] const Input* event_register(const Machine&, VariableId);
-/// Whether the statement itself, without the statements inside it, reads or writes a register or ends the cycle.
+/// True if the statement itself, without the statements inside it, reads or writes a register or ends the cycle.
 [[nodiscard]] bool touches_registers(const Machine&, const Stmt&);
 /// Removes the components and simulations of RoboSim and the claims about them. Those of RoboChart keep their indices.
 void remove_robosim(System&);
 
-/// Whether the block replaces carriers, constants and functions of the scripts: `csp Instantiations`.
+/// True if the block replaces carriers, constants and functions of the scripts: `csp Instantiations`.
 [[nodiscard]] bool is_instantiations(const CspBlock&);
 
 }  // namespace robochart::ir

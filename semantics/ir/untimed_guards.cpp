@@ -6,14 +6,14 @@
 namespace robochart::ir {
 namespace {
 
-/// Bounds of a part of a condition, without time. `upper` is true if the part is true for some values of the clocks.
-/// `lower` is true only if the part is true for all values of the clocks. Null means true for `upper` and false for
-/// `lower`.
+/// Bounds for the truth of a part of a condition in the untimed semantics. `upper` is true if the part is true for some
+/// values of the clocks. `lower` is true only if the part is true for all values of the clocks. A null pointer means
+/// true for `upper` and false for `lower`.
 struct Bounds {
     ExprPtr upper, lower;
 };
 
-/// A boolean expression that replaces `whole` or a part of it.
+/// Returns a boolean expression that replaces `whole` or a part of it.
 ExprPtr make_boolean_expression(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
     Expr result;
     result.kind = kind;
@@ -28,29 +28,29 @@ ExprPtr negate_guard(const ExprPtr& part) {
     return part ? make_boolean_expression(*part, ExprKind::logical_not, {part}) : nullptr;
 }
 
-/// Null means true.
+/// Returns the conjunction of upper bounds. Null means true.
 ExprPtr upper_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
     return make_boolean_expression(whole, ExprKind::conjunction, {left, right});
 }
 
-/// Null means true.
+/// Returns the disjunction of upper bounds. Null means true.
 ExprPtr upper_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     return left && right ? make_boolean_expression(whole, ExprKind::disjunction, {left, right}) : nullptr;
 }
 
-/// Null means false.
+/// Returns the disjunction of lower bounds. Null means false.
 ExprPtr lower_disjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     if (!left || !right) return left ? left : right;
     return make_boolean_expression(whole, ExprKind::disjunction, {left, right});
 }
 
-/// Null means false.
+/// Returns the conjunction of lower bounds. Null means false.
 ExprPtr lower_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr& right) {
     return left && right ? make_boolean_expression(whole, ExprKind::conjunction, {left, right}) : nullptr;
 }
 
-/// Bounds that are correct for both branches, because the condition of `if` may read clocks.
+/// Returns bounds that are correct for both branches, because the condition of `if` may read clocks.
 Bounds bounds_of_choice(const Expr& choice, const Bounds& yes, const Bounds& no) {
     const ExprPtr& condition = choice.args[0];
     if (mentions_clock(*condition))

@@ -10,12 +10,12 @@ namespace robochart::ir {
 
 /// A condition in the untimed semantics.
 struct UntimedGuard {
-    ExprPtr kept;  ///< true whenever the condition is true for some values of the clocks; null: always true
-    std::vector<ExprPtr> left_open;  ///< the parts that read clocks, as written
+    ExprPtr kept;  ///< true whenever some values of the clocks make the condition true; null: always true
+    std::vector<ExprPtr> left_open;  ///< the parts that read clocks and are not in `kept`
 };
 
-/// Operands of `/\`, `\/`, `not`, `=>` and `if` that read no clock are kept. Any other part that reads a clock is taken
-/// as possibly true and possibly false. So every transition that can fire at some time can fire without time.
+/// Converts a condition. Operands of `/\`, `\/`, `not`, `=>` and `if` that read no clock are kept. A part that reads a
+/// clock may be true or false. So every transition that can fire at some time can also fire in the untimed semantics.
 [[nodiscard]] UntimedGuard untimed_guard(const ExprPtr& condition);
 
 }  // namespace robochart::ir

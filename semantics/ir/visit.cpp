@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traversals of the IR.
+// Traverses the IR.
 #include "semantics/ir/visit.hpp"
 
 #include "semantics/ir/query.hpp"

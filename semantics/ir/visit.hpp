@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traversals of the expressions and statements of the IR, parents before children.
+// Traverses the expressions and statements of the IR, parents before children.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace robochart::ir {
 
-/// The purpose of an expression.
+/// The use of an outermost expression.
 enum class ExprRole {
     value,  ///< computes a value
     time,   ///< is a whole wait duration, interval bound or deadline
@@ -29,24 +29,24 @@ void visit_expressions(const Machine&, const RootVisitor&);
 /// transitions, then preconditions. Initial values and constants are computed before the machine runs, and
 /// postconditions are claims.
 void visit_running(const Machine&, const RootVisitor&);
-/// Calls the function for each variable that a running machine reads, once per read. Expressions read variables, and so
-/// do assignments to a part of a variable, because they keep its other parts.
+/// Calls the function for each variable that a running machine reads, once per read. Besides expressions, assignments
+/// to a part of a variable read the variable, because they keep its other parts.
 void visit_reads(const Machine&, const std::function<void(VariableId)>&);
 /// Visits the outermost expressions of machines, controllers, platforms and properties, but not those of functions.
 void visit_expressions(const System&, const RootVisitor&);
 /// Visits the expression and all its operands.
 void visit_operands(const Expr&, const std::function<void(const Expr&)>&);
 
-/// since, sinceEntry
+/// True for since and sinceEntry.
 [[nodiscard]] bool is_clock(ExprKind);
 /// True if the expression or one of its operands is a clock.
 [[nodiscard]] bool mentions_clock(const Expr&);
 /// True for an expression that is a clock: since, sinceEntry or a cast of one.
 [[nodiscard]] bool reads_clock(const Expr&);
 [[nodiscard]] bool is_comparison(ExprKind);
-/// not, and, or, implies, iff
+/// True for not, and, or, implies and iff.
 [[nodiscard]] bool is_connective(ExprKind);
-/// The clock that since or sinceEntry reads; invalid for other expressions.
+/// Returns the clock that since or sinceEntry reads, or an invalid id for other expressions.
 [[nodiscard]] ClockId clock_of(const Machine&, const Expr&);
 
 }  // namespace robochart::ir

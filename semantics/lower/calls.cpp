@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chains of operation calls inside a controller must end. RoboTool bounds recursion (semantics 3.8); here it is
-// rejected.
+// Rejects operations that call themselves inside a controller, directly or through others. (RoboTool bounds recursion,
+// semantics 3.8.)
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/depth_first_search.hpp>
@@ -12,7 +12,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Vertices are the definitions of a controller, in their order; edges are calls.
+/// The vertices are the definitions of a controller, in their order. The edges are calls.
 using CallGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
 using Vertex = boost::graph_traits<CallGraph>::vertex_descriptor;
 using Edge = boost::graph_traits<CallGraph>::edge_descriptor;

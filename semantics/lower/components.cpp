@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Controllers and modules: components, the operations that are defined in them, connections (semantics 3.8, 3.9).
+// Lowers controllers and modules: their components, the operations that they define, and their connections (semantics
+// 3.8, 3.9).
 #include "semantics/lower/components.hpp"
 
 #include "semantics/ir/query.hpp"
@@ -61,8 +62,8 @@ void mark_event(std::vector<Event>& events, const std::string& name, bool input,
     }
 }
 
-/// Marks the directions of events. A connection that starts at the controller or platform makes the event an input of
-/// the component; a connection that ends there makes it an output.
+/// Marks the directions of events. A connection that starts at the controller or platform itself makes its event an
+/// input. A connection that ends there makes it an output.
 void mark_uses(std::vector<Event>& events, const std::vector<Connection>& connections) {
     for (const auto& connection : connections) {
         if (connection.from.kind == EndKind::self) mark_event(events, connection.from.event, true, connection.multiple);
@@ -103,7 +104,7 @@ void ControllerLowering::declare_members() {
         lowering_.report_unsupported("a clock of controller " + source_.name, source_.name_span);
 }
 
-/// Components are identified by their names.
+/// Reports components with the same name, because names identify them.
 template <class Parts>
 void check_part(Lowering& lowering, const std::string& owner, const Parts& parts, const ast::Declaration& part) {
     for (const auto& known : parts)
@@ -134,7 +135,7 @@ void ControllerLowering::lower_part(const ast::Declaration& declaration) {
     controller_.definition_names.push_back(declaration.name);
 }
 
-/// Calls of operations that are defined here run the definition; other calls leave the controller (semantics 3.8).
+/// Binds calls of operations to the definitions in the controller. Other calls leave the controller (semantics 3.8).
 void ControllerLowering::bind_operations() {
     for (auto& instance : controller_.machines)
         for (const auto& signature : lowering_.system.machine(instance.machine).operations)
@@ -149,7 +150,7 @@ void ControllerLowering::bind_operations() {
     if (controller_.robosim) check_software_calls();
 }
 
-/// A call without `$` runs an operation of the controller.
+/// Reports calls without `$` of operations that the controller does not define.
 void ControllerLowering::check_software_calls() {
     std::vector<MachineId> callers = controller_.definitions;
     for (const auto& instance : controller_.machines) callers.push_back(instance.machine);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variables, constants, events, clocks and operations of a context: its own and those of its interfaces.
+// Lowers the variables, constants, events, clocks and operations of a context: its own and those of its interfaces.
 #include <algorithm>
 #include <map>
 
@@ -17,7 +17,7 @@ void map_declaration(const std::vector<T>& items, ByDeclaration<IdType>& map, co
     map[&declaration] = IdType{static_cast<std::uint32_t>(items.size() - 1)};
 }
 
-/// Collects the declarations of one context. Initial values are lowered when all names are known.
+/// Collects the declarations of one context. Initial values are lowered at the end, when all names are known.
 class Collector {
 public:
     Collector(Lowering& lowering, const ast::Context& context) : lowering_(lowering), context_(context) {}
@@ -55,8 +55,8 @@ bool Collector::owns_variables() const {
     return context_.kind == ast::DeclKind::state_machine || context_.kind == ast::DeclKind::operation;
 }
 
-/// Machines and controllers share the variables that they require; a platform shows those that it provides (semantics
-/// 3.7).
+/// Returns the scope of a clause's variables. Machines and controllers share the variables that they require. A
+/// platform shares those that it provides (semantics 3.7).
 VariableScope Collector::scope_of(const ast::InterfaceClause* clause) const {
     if (clause == nullptr) return VariableScope::local;
     const bool platform = context_.kind == ast::DeclKind::platform;
@@ -106,7 +106,7 @@ void Collector::add_clock(const ast::Clock& source, const std::string& element, 
     map_declaration(result_.clocks, result_.names.clocks, source);
 }
 
-/// An operation that several interfaces declare identically is one operation.
+/// Adds an operation. Identical declarations in several interfaces are one operation.
 void Collector::add_operation(const ast::OperationSignature& source, const std::string& element,
                               const std::string& interface) {
     OperationSignature signature;
@@ -157,7 +157,7 @@ void Collector::initial_values() {
                 lower_expression(lowering_, result_.names, *value, result_.variables[i].type);
 }
 
-/// Members are identified by their names, so duplicates are reported. Variables that the machine itself declares are
+/// Reports members with the same name, because names identify them. Variables that the machine itself declares are
 /// excepted, because no other component refers to them.
 template <class Item>
 void Collector::check_names(const std::vector<Item>& items, const std::string& kind) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The class that implements lower_expression: one member function per form of the language, in three source files.
-// Private to semantics/lower*.
+// Declares the class that implements lower_expression. It has one member function per form of the language, in three
+// source files. Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/expressions.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators, conditionals and binders.
+// Lowers operators, conditionals and binders.
 #include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/types.hpp"
 
@@ -66,7 +66,8 @@ ExprKind binder_kind(ast::ExprKind kind) {
 
 }  // namespace
 
-/// A negated literal becomes one literal. RoboTool's Neg(5, core_int) would be clipped to 5, although -5 is meant.
+/// Lowers a negation. A negated literal becomes one literal, because RoboTool's Neg(5, core_int) may be clipped to 5,
+/// although -5 is meant.
 ExprPtr Expressions::lower_unary(const ast::Expr& source) {
     const bool negates = source.unary == ast::UnaryOp::negate;
     if (negates && is_number_literal(without_parentheses(*source.args[0]))) {
@@ -87,7 +88,7 @@ ExprPtr Expressions::lower_binary(const ast::Expr& source, TypeId expected) {
                  lower_operand(source, 1, concat ? expected : TypeId{})};
     if (concat && expected.is_valid()) expr.type = expected;
     if (expr.kind >= ExprKind::equal && expr.kind <= ExprKind::less_equal) {
-        // If the type of one side is open, as that of `id()`, the other side determines the type.
+        // If the type of one side is not fully known, as that of `id()`, the other side determines the type.
         for (std::size_t i = 0; i < 2; ++i) {
             const TypeId other = expr.args[1 - i]->type;
             if (is_open(lowering_.system, expr.args[i]->type) && !is_open(lowering_.system, other))
@@ -99,7 +100,8 @@ ExprPtr Expressions::lower_binary(const ast::Expr& source, TypeId expected) {
     return expr.kind == ExprKind::is_in ? lower_membership(std::move(expr)) : share_expression(std::move(expr));
 }
 
-/// A relation, function or sequence is the set of its pairs; both sides are converted to the wider type.
+/// Lowers a test of membership. A relation, function or sequence is the set of its pairs. Both sides are converted to
+/// the wider type.
 ExprPtr Expressions::lower_membership(Expr expr) {
     const Type collection = lowering_.system.type(expr.args[1]->type);
     TypeId element = collection.args.empty() ? TypeId{} : collection.args[0];
@@ -119,7 +121,8 @@ ExprPtr Expressions::lower_membership(Expr expr) {
     return share_expression(std::move(expr));
 }
 
-/// Both sides are converted to the wider type; an empty collection takes the other side's type.
+/// Lowers a comparison. Both sides are converted to the wider type. An empty collection gets the type of the other
+/// side.
 ExprPtr Expressions::lower_comparison(Expr expr) {
     expr.type = boolean_type;
     const TypeId common = common_type(lowering_, expr.args[0]->type, expr.args[1]->type);
@@ -127,7 +130,7 @@ ExprPtr Expressions::lower_comparison(Expr expr) {
     return share_expression(std::move(expr));
 }
 
-/// RoboChart's types of arithmetic: minus is at least int, modulus is int, divide is real.
+/// Lowers arithmetic with RoboChart's types: the result of minus is int or real, of modulus int, and of divide real.
 ExprPtr Expressions::lower_arithmetic(Expr expr, const ast::Expr& source) {
     const TypeId left = expr.args[0]->type;
     const TypeId right = expr.args[1]->type;
@@ -142,7 +145,7 @@ ExprPtr Expressions::lower_arithmetic(Expr expr, const ast::Expr& source) {
     return share_expression(std::move(expr));
 }
 
-/// Arithmetic on vectors and matrices, also with a number: the entries of both operands get one type.
+/// Lowers arithmetic on vectors and matrices, also with a number. The entries of both operands get one type.
 ExprPtr Expressions::computed_blocks(Expr expr) {
     const auto entry = [&](TypeId id) {
         const Type& type = lowering_.system.type(id);
@@ -195,7 +198,7 @@ ExprPtr Expressions::lower_let(const ast::Expr& source, TypeId expected) {
     return share_expression(std::move(expr));
 }
 
-/// The args of a binder are its predicate (true if absent) and, if there is one, its body.
+/// Lowers a binder. Its args are its predicate (true if absent) and, if there is one, its body.
 ExprPtr Expressions::lower_binder(const ast::Expr& source) {
     check_bindings(source);
     Expr expr = start_node(source, binder_kind(source.kind));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Helpers that construct expressions, and conversions between number types.
+// Implements helpers that construct expressions, and conversions between number types.
 #include <algorithm>
 
 #include "semantics/ir/visit.hpp"
@@ -52,7 +52,7 @@ ExprPtr cast_to(const ExprPtr& expr, TypeId type) {
     return share_expression(std::move(result));
 }
 
-/// The types of the parts of a value: components of a tuple, elements of a collection, or pairs of a function.
+/// Returns the types of the parts of a value: components of a tuple, elements of a collection, or pairs of a function.
 std::vector<TypeId> part_types(const System& system, TypeId id) {
     const Type& type = system.type(id);
     if (type.kind == TypeKind::set) {

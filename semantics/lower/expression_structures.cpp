@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls, parts of composed values, casts and clocks.
+// Lowers calls, parts of composed values, casts and clocks.
 #include <algorithm>
 #include <array>
 
@@ -14,7 +14,7 @@ constexpr std::array toolkits{"set_toolkit", "relation_toolkit", "function_toolk
 
 }  // namespace
 
-/// Applies a value of function type, or a sequence as the function from positions to elements.
+/// Lowers the application of a function value, or of a sequence, which is a function from positions to elements.
 ExprPtr Expressions::lower_application(const ast::Expr& source, ExprPtr function) {
     const Type type = lowering_.system.type(function->type);
     Expr expr = start_node(source, type.kind == TypeKind::sequence ? ExprKind::index : ExprKind::apply);
@@ -49,7 +49,7 @@ ExprPtr Expressions::function_call(const ast::Expr& source, const ast::Function&
     return share_expression(std::move(expr));
 }
 
-/// The function as a set of pairs.
+/// Returns the function as a set of pairs.
 ExprPtr Expressions::function_value(const ast::Expr& source, const ast::Function& function) {
     if (std::ranges::find(toolkits, lowering_.package_of(function)) != toolkits.end())
         return reject_construct(source,
@@ -129,7 +129,8 @@ ExprPtr Expressions::lower_index(const ast::Expr& source) {
     return share_expression(std::move(expr));
 }
 
-/// The default value of a type as an expression (semantics 3.6); null if it has no literal: functions, given types.
+/// Returns the default value of a type as an expression (semantics 3.6), or null if no literal denotes it (functions,
+/// given types).
 ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
     const Type type = lowering_.system.type(id);
     Expr expr;
@@ -174,7 +175,7 @@ ExprPtr Expressions::default_of(const ast::Expr& source, TypeId id) {
     return nullptr;
 }
 
-/// A missing field gets the default of its type.
+/// Lowers a record. A missing field gets the default value of its type.
 ExprPtr Expressions::lower_record(const ast::Expr& source) {
     Expr expr = start_node(source, ExprKind::record);
     const Type type = lowering_.system.type(expr.type);
@@ -241,8 +242,8 @@ ExprPtr Expressions::lower_transpose(const ast::Expr& source) {
 
 namespace {
 
-/// The text between the quotes. A backslash escapes a character that would end the text, or denotes a line end or
-/// tabulator.
+/// Returns the text between the quotes. A backslash escapes the next character. An escaped `n` denotes a line end, and
+/// an escaped `t` a tabulator.
 std::string remove_quotes(const std::string& written) {
     std::string text;
     for (std::size_t i = 1; i + 1 < written.size(); ++i) {
@@ -281,7 +282,7 @@ ExprPtr Expressions::lower_result(const ast::Expr& source) {
 
 namespace {
 
-/// Makes the clock of sinceEntry(S) at its first use.
+/// Adds the clock of sinceEntry(S) at its first use.
 void need_entry_clock(Machine& machine, NodeId node) {
     for (const auto& clock : machine.clocks)
         if (clock.entry_of == node) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions: dispatch by form, literals and names.
+// Lowers literals and names, and dispatches expressions by their form.
 #include <algorithm>
 
 #include "semantics/ir/numbers.hpp"
@@ -9,7 +9,7 @@
 
 namespace robochart::ir {
 
-/// A node of this form. Its type is the one that the front end computed, or boolean if there is none.
+/// Returns a node of this form. Its type is the one that the front end computed, or boolean if there is none.
 Expr Expressions::start_node(const ast::Expr& source, ExprKind kind) {
     Expr expr;
     expr.kind = kind;
@@ -40,7 +40,8 @@ ExprPtr Expressions::with_operands(const ast::Expr& source, ExprKind kind) {
     return coerce_to_type(lowering_, share_expression(std::move(expr)), type);
 }
 
-/// Between two reals, the set has the reals of the finite type; between whole numbers, it has all numbers.
+/// Lowers `{a to b}`. Between two reals, the set contains the reals of the finite type. Between whole numbers, it
+/// contains all whole numbers.
 ExprPtr Expressions::set_range(const ast::Expr& source) {
     Expr expr = start_node(source, ExprKind::set_range);
     const auto element = lowering_.system.type(expr.type).args;
@@ -72,7 +73,7 @@ ExprPtr Expressions::lower_number(const ast::Expr& source, const std::string& si
 
 namespace {
 
-/// The declared type of the declaration that a name refers to, if it is a value with a written type.
+/// Returns the declared type of the declaration that a name refers to, if it is a value with a written type.
 ast::TypePtr declared_type(const ast::Declaration& target) {
     const bool has_type = target.kind == ast::DeclKind::variable || target.kind == ast::DeclKind::constant ||
                           target.kind == ast::DeclKind::parameter || target.kind == ast::DeclKind::bound_variable;
@@ -105,7 +106,7 @@ ExprPtr Expressions::name(const ast::Expr& source, TypeId expected) {
     return share_expression(std::move(expr));
 }
 
-/// Names in assertions may be unresolved; they are resolved here as literals of the expected type.
+/// Resolves a name as a literal of the expected type, because names in assertions may be unresolved.
 ExprPtr Expressions::literal_by_name(const ast::Expr& source, TypeId expected) {
     const std::string label = source.name.parts.empty() ? "" : source.name.parts.back();
     if (expected.is_valid()) {

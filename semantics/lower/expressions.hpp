@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lowers expressions: names become indices, conversions between number types become explicit, negated literals become
-// one literal. Private to semantics/lower*.
+// Lowers expressions: names become indices, conversions between number types become explicit, and a negated literal
+// becomes one literal. Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/lowering.hpp"
 
 namespace robochart::ir {
 
-/// The meaning of the names at the place of an expression.
+/// The meanings of the names in an expression.
 struct Names {
     ByDeclaration<VariableId> variables;
     ByDeclaration<ConstantId> constants;
@@ -25,31 +25,32 @@ struct Names {
     std::vector<StmtPtr>* stores = nullptr;          ///< receives the assignments of `$e?v`; null outside conditions
 };
 
-/// The expression in the IR. With an `expected` type, a number of a narrower type is converted to it: literals are
-/// retyped, whole numbers used as reals are cast. Never null; after an error, the result is some literal.
+/// Returns the expression in the IR. With an `expected` type, a number of a narrower type is converted to it: literals
+/// get the type, and other whole numbers that are used as reals are cast. The result is never null. After an error, it
+/// is some literal.
 [[nodiscard]] ExprPtr lower_expression(Lowering&, const Names&, const frontend::Expr&, TypeId expected = {});
-/// The expression converted to the type: a retyped literal, a cast, or the expression itself.
+/// Returns the expression converted to the type: a literal of this type, a cast, or the expression itself.
 [[nodiscard]] ExprPtr coerce_to_type(Lowering&, const ExprPtr&, TypeId);
 
-/// The id of a function that the model declares. Its signature and conditions are lowered at its first use. Generic
-/// functions (`?X`) are reported here, and the id is invalid.
+/// Returns the id of a function that the model declares. Its signature and conditions are lowered at its first use. A
+/// generic function (`?X`) is reported, and its id is invalid.
 [[nodiscard]] FunctionId lower_function(Lowering&, const frontend::Function&, diagnostics::Span where);
 
 /// True if type variables (`?X`) occur in the signature.
 [[nodiscard]] bool is_generic(const frontend::Function&);
-/// The id of a generic function, instantiated for these types. If it is used for too many types, this is reported and
-/// the id is invalid.
+/// Returns the id of a generic function, instantiated for these types. If it is used for too many types, this is
+/// reported and the id is invalid.
 [[nodiscard]] FunctionId lower_instance(Lowering&, const frontend::Function&, const std::vector<TypeId>& parameters,
                                         TypeId result, std::map<std::string, TypeId> variables,
                                         diagnostics::Span where);
 
 [[nodiscard]] ExprPtr make_boolean(bool, diagnostics::Span);
-/// Null operands mean true.
+/// Returns the conjunction. A null operand means true.
 [[nodiscard]] ExprPtr make_conjunction(const ExprPtr&, const ExprPtr&);
 [[nodiscard]] ExprPtr make_negation(const ExprPtr&);
-/// True if since or sinceEntry occurs in it.
+/// True if since or sinceEntry occurs in the expression.
 [[nodiscard]] bool mentions_time(const ExprPtr&);
-/// True if the value of the trigger occurs in it.
+/// True if the value of the trigger occurs in the expression.
 [[nodiscard]] bool mentions_trigger_value(const ExprPtr&);
 
 }  // namespace robochart::ir

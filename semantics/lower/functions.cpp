@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the model. A statement that uses a function waits for its precondition (semantics 3.5). A function
-// without a definition is a constant (semantics 3.13).
+// Lowers the functions of the model. A statement that uses a function waits until its precondition is true (semantics
+// 3.5). A function without a definition is constant (semantics 3.13).
 #include <algorithm>
 #include <utility>
 
@@ -63,7 +63,7 @@ void lower_conditions(Lowering& lowering, const frontend::Function& source, Func
         function.postconditions.push_back(lower_expression(lowering, names, *condition, boolean_type));
 }
 
-/// Declares the signature. The conditions are lowered later, because they may call the function.
+/// Adds a function with its signature. The conditions are lowered later, because they may call the function.
 FunctionId declare_function(Lowering& lowering, const frontend::Function& source, std::string name,
                             std::vector<TypeId> parameters, TypeId result) {
     const FunctionId id{static_cast<std::uint32_t>(lowering.system.functions.size())};
@@ -86,7 +86,7 @@ void define_function(Lowering& lowering, const frontend::Function& source, Funct
     lowering.system.functions[id.index] = std::move(function);
 }
 
-/// A name that no other function of the package has: `f`, `f_2`, `f_3`.
+/// Returns a name that no other function of the package has: `f`, `f_2`, `f_3`.
 std::string instance_name(const Lowering& lowering, const frontend::Function& source, std::size_t instances) {
     if (instances == 0) return source.name;
     const std::string package = lowering.package_of(source);
@@ -124,8 +124,8 @@ FunctionId lower_function(Lowering& lowering, const frontend::Function& source, 
     return id;
 }
 
-/// The instance of a generic function for these types. The first instance has the name of the function; the others get
-/// a number after it.
+/// Returns the instance of a generic function for these types. The first instance has the name of the function, and the
+/// name of each other instance ends in a number.
 FunctionId lower_instance(Lowering& lowering, const frontend::Function& source, const std::vector<TypeId>& parameters,
                           TypeId result, std::map<std::string, TypeId> variables, diagnostics::Span where) {
     constexpr std::size_t most = 64;  // a contract may call the function for larger and larger types

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lowers in this order: types and the entries of components, then bodies, then assertions, which refer to everything.
+// Lowers first types and the entries of components, then bodies, and then assertions, which refer to everything.
 #include "semantics/lower/lower.hpp"
 
 #include <algorithm>

@@ -9,12 +9,12 @@
 
 namespace robochart::ir {
 
-/// Lowers a model that was resolved without errors. A construct that the IR cannot represent is reported by name (rule
-/// table semantics/rules.hpp) and omitted. The sources provide paths and the wording of assertions.
+/// Lowers a model that was resolved without errors. A construct that the IR cannot represent is reported
+/// (semantics/rules.hpp) and omitted. The sources provide paths and the text of assertions.
 [[nodiscard]] System lower(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
-/// Removes the components of RoboSim, for a command that handles only RoboChart (RC-S26). This is an error if there are
-/// no components of RoboChart, in the system or `elsewhere`, in other systems of the command.
+/// Removes the components of RoboSim, for a command that handles only RoboChart (RC-S26). It is an error if no
+/// components of RoboChart remain. `elsewhere` is true if other systems of the command have some.
 void leave_out_robosim(System&, diagnostics::Diagnostics&, bool elsewhere);
 
 }  // namespace robochart::ir

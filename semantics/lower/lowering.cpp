@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared parts of lowering.
+// Implements helpers that the steps of lowering share.
 #include "semantics/lower/lowering.hpp"
 
 #include "semantics/rules.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state that all steps of lowering share: the System under construction, and the ids of declarations of the syntax
-// tree. Private to semantics/lower*.
+// Defines the state that all steps of lowering share: the System under construction, and the ids of declarations of the
+// syntax tree. Private to semantics/lower*.
 #pragma once
 
 #include <map>
@@ -15,11 +15,11 @@
 
 namespace robochart::ir {
 
-/// Maps keyed by declarations are only used for lookup, never iterated.
+/// A map keyed by declarations. It is only used for lookup and never iterated.
 template <class T>
 using ByDeclaration = std::map<const frontend::Declaration*, T>;
 
-/// The id of a declaration, invalid if the map has none.
+/// Returns the id of a declaration, or an invalid id if the map has none.
 template <class Id>
 [[nodiscard]] Id look_up(const ByDeclaration<Id>& map, const frontend::Declaration* declaration) {
     const auto it = map.find(declaration);
@@ -44,7 +44,7 @@ struct Lowering {
     std::vector<const frontend::Component*> controller_sources{};  ///< indexed by ControllerId
     std::vector<const frontend::Component*> module_sources{};      ///< indexed as System::modules
 
-    /// The package of a declaration ("" if unnamed), taken from the file of its outermost parent.
+    /// Returns the package of a declaration ("" if unnamed), taken from the file of its outermost parent.
     [[nodiscard]] std::string package_of(const frontend::Declaration&) const;
     /// Reports RC-S01: "X is not supported yet".
     void report_unsupported(const std::string& what, diagnostics::Span where) const;
@@ -55,7 +55,7 @@ struct Lowering {
                       const std::string& kind) const;
 };
 
-/// The declarations that a list owns.
+/// Returns the declarations that a list owns.
 template <class Owners>
 [[nodiscard]] std::vector<const frontend::Declaration*> pointers(const Owners& owners) {
     std::vector<const frontend::Declaration*> result;
@@ -63,7 +63,7 @@ template <class Owners>
     return result;
 }
 
-/// The element and place of a declaration.
+/// Returns the element and place of a declaration.
 [[nodiscard]] Origin origin_of(const std::string& element, diagnostics::Span span);
 
 }  // namespace robochart::ir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State machines and operations: nodes, transitions, guards (semantics 3.3, 3.4, 3.11).
+// Lowers state machines and operations: nodes, transitions, guards (semantics 3.3, 3.4, 3.11).
 #include "semantics/lower/machines.hpp"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ NodeKind kind_of(ast::DeclKind kind) {
     return NodeKind::state;
 }
 
-/// The action of the node for this kind of action.
+/// Returns the action of the node for this kind of action.
 StmtPtr& action_of(Node& node, ast::ActionKind kind) {
     if (kind == ast::ActionKind::entry) return node.entry;
     return kind == ast::ActionKind::during ? node.during : node.exit;
@@ -90,8 +90,8 @@ void MachineLowering::declare_members() {
     names_.machine = &machine_;
 }
 
-/// If a RoboSim machine requires a variable outside of its contexts, no component provides the variable. The model is
-/// rejected if the machine uses it.
+/// Rejects a RoboSim machine that uses a variable which it requires outside of its contexts. No component provides such
+/// a variable.
 void MachineLowering::check_required_variables() {
     std::set<VariableId> used;
     visit_reads(machine_, [&](VariableId id) { used.insert(id); });
@@ -134,7 +134,7 @@ NodeId MachineLowering::add_node(const ast::State& source, NodeId parent) {
     return id;
 }
 
-/// Nodes in textual order; a composite state comes before the nodes inside it.
+/// Adds the nodes in textual order. A composite state comes before the nodes inside it.
 void MachineLowering::add_nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth) {
     if (depth > deepest_nesting) {
         lowering_.diagnostics.report(rules::too_deep, source_.span, {"states", std::to_string(deepest_nesting)});
@@ -207,8 +207,8 @@ void MachineLowering::lower_transition(Pending& pending) {
     machine_.transitions.push_back(std::move(transition));
 }
 
-/// `condition else` is true if no condition of the other transitions of the source is true. The triggers of these
-/// transitions are ignored, and a transition without a condition is treated as one with the condition `true`.
+/// Returns the condition for `condition else`: no condition of the other transitions of the source is true. The
+/// triggers of these transitions are ignored, and a missing condition counts as `true`.
 ExprPtr MachineLowering::otherwise_condition(const Pending& pending, const Transition& transition) {
     ExprPtr none;
     for (const auto& sibling : pending_) {
@@ -247,7 +247,7 @@ void MachineLowering::event_uses() {
     });
 }
 
-/// A composite state or operation starts at exactly one initial junction, and the names inside it are unique.
+/// Checks the nodes of a composite state or operation: there is exactly one initial junction, and the names are unique.
 void MachineLowering::check_level(const std::vector<NodeId>& level, const std::string& kind, const std::string& name,
                                   diagnostics::Span span) {
     std::size_t initials = 0;

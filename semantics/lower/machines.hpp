@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// State machines and operations, and the declarations of every kind of context. Private to semantics/lower*.
+// Lowers state machines and operations, and the declarations of every kind of context. Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/expressions.hpp"
 
 namespace robochart::ir {
 
-/// The declarations of a context in order: its own, then those of each interface.
+/// The declarations of a context in order: first its own, then those of each interface.
 struct Declarations {
     std::vector<Variable> variables;
     std::vector<Constant> constants;
@@ -19,7 +19,7 @@ struct Declarations {
 [[nodiscard]] Declarations lower_declarations(Lowering&, const frontend::Context&, const std::string& path,
                                               const std::vector<frontend::VariablePtr>* parameters = nullptr);
 
-/// Fills the machine of an id that is already registered (name, package and path are set).
+/// Fills a machine that is already registered (its name, package and path are set).
 void lower_machine(Lowering&, const frontend::Machine&, MachineId);
 
 }  // namespace robochart::ir

@@ -25,7 +25,7 @@ FoundComponent controller_at(const Lowering& lowering, std::uint32_t index) {
     return found;
 }
 
-/// RoboTool names the process of an operation OP_name.
+/// Returns the name of the machine's process. RoboTool names the process of an operation OP_name.
 std::string process_name(const Machine& machine) {
     return machine.kind == MachineKind::operation ? "OP_" + machine.name : machine.name;
 }
@@ -56,7 +56,7 @@ std::optional<FoundComponent> top_at(const Lowering& lowering, const ast::Declar
     return std::nullopt;
 }
 
-/// Enters the controller of a module, by its name there.
+/// Goes to the controller with this name in the module.
 bool enter_controller(const Lowering& lowering, FoundComponent& at, const std::string& name) {
     for (const auto& part : at.module->controllers) {
         if (part.name != name) continue;
@@ -78,7 +78,7 @@ void enter_machine(const Lowering& lowering, FoundComponent& at, MachineId id, c
     at.ref.definition = id.index;
 }
 
-/// Enters a machine of a controller, or an operation that it defines, by the name of the reference or operation.
+/// Goes to the machine or defined operation in the controller with this name of the reference or operation.
 bool enter_part(const Lowering& lowering, FoundComponent& at, const std::string& name) {
     for (const auto& part : at.controller->machines) {
         if (part.name != name) continue;

@@ -19,7 +19,7 @@ struct FoundComponent {
     std::string part;                        ///< the name of the instance or definition, for a machine in a controller
 };
 
-/// The component at the end of a path that name resolution found; no value if the path is unresolved.
+/// Returns the component at the end of a path that name resolution found, or no value if the path is unresolved.
 [[nodiscard]] std::optional<FoundComponent> component_at(const Lowering&, const frontend::ComponentPath&);
 
 }  // namespace robochart::ir

@@ -84,7 +84,7 @@ CommKind kind_of(ast::CommKind kind) {
     return CommKind::simple;
 }
 
-/// The part of a communication that triggers and statements have in common.
+/// Returns the part of a communication that triggers and statements have in common.
 Communication lower_communication(Lowering& lowering, const Names& names, const ast::Communication& source) {
     Communication result;
     result.kind = kind_of(source.kind);
@@ -113,7 +113,7 @@ Stmt Programs::start_statement(const ast::Stmt& source, StmtKind kind) {
     return stmt;
 }
 
-/// Handles `if` and statements in parentheses; parentheses are dropped.
+/// Lowers a statement. Parentheses are dropped.
 StmtPtr Programs::lower(const ast::Stmt& source) {
     const ast::Stmt* inner = &source;
     while (inner->kind == ast::StmtKind::parenthesised && !inner->body.empty() && inner->body[0])
@@ -168,7 +168,7 @@ TypeId Programs::index_step(const ast::Expr& target, TypeId base, Stmt& stmt) {
     return base;
 }
 
-/// Lowers the assigned variable and the steps to a part of it; returns the type of that part.
+/// Lowers the assigned variable and the path to its assigned part. Returns the type of that part.
 TypeId Programs::lower_path(const ast::Expr& target, Stmt& stmt) {
     if (target.kind == ast::ExprKind::member || target.kind == ast::ExprKind::index) {
         const TypeId base = lower_path(*target.args[0], stmt);
@@ -208,7 +208,8 @@ void Programs::lower_communication_statement(const ast::Stmt& source, Stmt& stmt
         lowering_.report_unsupported("a timed expression in an action", communication.predicate->span);
 }
 
-/// The software operation with the name of an output that is called without `$`; invalid if there is no such output.
+/// For a call without `$` of an operation in the output context, returns the software operation with this name. The id
+/// is invalid if there is no such output.
 OperationId Programs::software_operation(const ast::Stmt& source) {
     const OperationId output = look_up(names_.platform_operations, source.declaration);
     if (!output.is_valid()) return {};

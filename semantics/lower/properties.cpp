@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertions and csp blocks (reference: assertion language 4). Name resolution has already found the components that
-// they name.
+// Lowers assertions and csp blocks (reference: assertion language 4). Name resolution has already found the components
+// that they name.
 #include "semantics/lower/properties.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ PropertyModel model_of(const std::optional<ast::AssertionModel>& model) {
     return PropertyModel::failures_divergences;
 }
 
-/// The assertion as written. Its span may start after the word `timed` or `untimed`.
+/// Returns the text of the assertion in the source. The word `timed` or `untimed` may be before the assertion's span.
 std::string wording_of(const diagnostics::SourceManager& sources, const ast::Assertion& source) {
     const auto text = sources.source_text(source.span.source);
     const std::string line =
@@ -101,7 +101,7 @@ private:
     Blocks& blocks_;  ///< index of each block in System::csp_blocks
 };
 
-/// The component that name resolution found for a name, or the csp block.
+/// Returns the component that name resolution found for a name, or the csp block.
 std::optional<FoundComponent> Properties::find_component(const ast::ComponentPath& path,
                                                          const ast::QualifiedName& name) {
     if (path.process != nullptr) {
@@ -123,7 +123,7 @@ std::optional<FoundComponent> Properties::find_component(const ast::ComponentPat
     return found;
 }
 
-/// The path of a node from the top of its machine.
+/// Returns the path of a node from the top of its machine.
 std::string node_path(const ast::State& state) {
     std::string path = state.name;
     for (const auto* above = dynamic_cast<const ast::State*>(state.parent); above != nullptr;
@@ -142,7 +142,7 @@ void Properties::lower_reachable(const ast::Assertion& source, Property& propert
     property.state = way + node_path(*source.state);
 }
 
-/// `clock X::S::C is initialised`: the subject is the machine at the end of the path.
+/// Lowers `clock X::S::C is initialised`. The subject is the machine at the end of the path.
 void Properties::lower_clock(const ast::Assertion& source, Property& property) {
     const auto machine = find_component(source.other_path, source.other);
     if (!machine || source.clock == nullptr) return;
@@ -150,7 +150,7 @@ void Properties::lower_clock(const ast::Assertion& source, Property& property) {
     property.state = source.clock->name;
 }
 
-/// `event E is missed in S`: the subject is the machine.
+/// Lowers `event E is missed in S`. The subject is the machine.
 void Properties::missed_event(const ast::Assertion& source, Property& property) {
     const auto machine = find_component(source.other_path, source.other);
     if (!machine || source.missed == nullptr) return;
@@ -173,14 +173,14 @@ std::optional<std::uint32_t> position_of(const std::vector<Declaration>& items, 
     return std::nullopt;
 }
 
-/// The constants of the innermost component.
+/// Returns the constants of the innermost component.
 const std::vector<Constant>& constants_of(const FoundComponent& context) {
     if (context.machine != nullptr) return context.machine->constants;
     if (context.controller != nullptr) return context.controller->constants;
     return context.module->platform.constants;
 }
 
-/// Sets the constant, by the name of its process parameter in the component that determines its value.
+/// Gives a value to the constant. Its name is that of the process parameter of the component that determines its value.
 void Properties::lower_constant(const ast::AssertionParameter& source, const FoundComponent& context,
                                 Property& property) {
     const std::vector<Constant>& constants = constants_of(context);
@@ -196,7 +196,7 @@ void Properties::lower_constant(const ast::AssertionParameter& source, const Fou
     property.constants.emplace_back(name, lower_value(source, constants[*at].type));
 }
 
-/// Sets a parameter for `parameter p of O`: its name begins with "param_" instead of "const_".
+/// Gives a value to a parameter (`parameter p of O`). Its name begins with "param_" instead of "const_".
 void Properties::operation_parameter(const ast::AssertionParameter& source, const FoundComponent& context,
                                      Property& property) {
     const bool operation = context.machine != nullptr && context.machine->kind == MachineKind::operation;
@@ -210,7 +210,7 @@ void Properties::operation_parameter(const ast::AssertionParameter& source, cons
     property.constants.emplace_back(name, lower_value(source, context.machine->variables[*at].type));
 }
 
-/// `cycleDef of X set to n`: the name is that of the constant of X itself.
+/// Lowers `cycleDef of X set to n`. The name is that of the constant of X itself.
 void Properties::lower_cycle(const ast::AssertionParameter& source, Property& property) {
     const auto context = find_component(source.context_path, source.context);
     if (!context || !source.value) return;
@@ -276,7 +276,7 @@ void Properties::lower_block(const ast::CspBlock& source) {
     lowering_.system.csp_blocks.push_back(std::move(block));
 }
 
-/// The names of the members of a context.
+/// Returns the names of the members of a context.
 std::vector<std::string> names_in(const ast::Context* registers) {
     std::vector<std::string> result;
     const auto add = [&](const ast::Context& owner, bool events) {
@@ -331,7 +331,8 @@ void Properties::lower_assertions() {
 
 namespace {
 
-/// Reports RC-S19 for a claim that gives a value to one of several instances from which an operation requires it.
+/// Reports RC-S19 for a claim that sets a constant in only one of several instances from which an operation requires
+/// the constant.
 void check_shared_constants(const Lowering& lowering) {
     const std::vector<SharedConstant> all = shared_constants(lowering.system);
     for (const Property& property : lowering.system.properties)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assertions and csp blocks. Private to semantics/lower*.
+// Lowers assertions and csp blocks. Private to semantics/lower*.
 #pragma once
 
 #include "semantics/lower/lowering.hpp"

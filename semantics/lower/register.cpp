@@ -57,7 +57,8 @@ bool is_robosim(const ast::Declaration& declaration) {
 
 }  // namespace
 
-/// RoboChart's components come first, so that those of RoboSim can be removed (without_robosim).
+/// Registers all components. RoboChart's components come first, so that those of RoboSim can be removed
+/// (remove_robosim).
 void register_components(Lowering& lowering) {
     for (const bool robosim : {false, true})
         for (const auto* file : lowering.files)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: the registers of a machine or operation, their reads in expressions, and the lengths of cycles
-// (docs/robosim.md). A register is represented by variables: one states whether the register is full, the other holds
+// Lowers the registers of a RoboSim machine or operation, their reads in expressions, and the lengths of cycles
+// (docs/robosim.md). Two variables represent a register: one states whether the register is full, and the other holds
 // its value.
 #include "semantics/lower/registers.hpp"
 
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    /// An input context has no events of the interfaces that it requires.
+    /// Adds the members of an interface. An input context does not have the events of interfaces that it requires.
     void add_interface(const ast::Context& interface, ast::InterfaceUse use, bool input) {
         if (!input || use == ast::InterfaceUse::uses)
             for (const auto& event : interface.events) add_event(*event, input);
@@ -71,7 +71,7 @@ private:
         declared_.events.push_back(std::move(event));
     }
 
-    /// A variable that is in both contexts has only one register.
+    /// Adds the register of a variable. A variable in both contexts has only one register.
     void add_register(const ast::Variable& source, bool input) {
         const Origin origin = origin_of(element_ + "::" + source.name, source.span);
         auto& known = declared_.names.registers;
@@ -117,7 +117,7 @@ bool is_cycle(const ast::Expr& expr) {
     return inside_parentheses(expr).kind == ast::ExprKind::cycle;
 }
 
-/// The length in `cycle == e`, `(cycle == e)`, `{ cycle == e }` and `e`.
+/// Returns the length e in `cycle == e`, `(cycle == e)`, `{ cycle == e }` or `e`.
 const ast::Expr& length_in(const ast::Expr& written) {
     const ast::Expr& expr = inside_parentheses(written);
     if (expr.kind == ast::ExprKind::set && expr.args.size() == 1) return length_in(*expr.args[0]);
@@ -126,7 +126,7 @@ const ast::Expr& length_in(const ast::Expr& written) {
     return is_cycle(*expr.args[1]) ? *expr.args[0] : expr;
 }
 
-/// True for a literal that is a whole number, also one like 2.0.
+/// True for a literal that is a whole number, even if it is written as a decimal such as 2.0.
 bool is_whole(const Expr& expr) {
     if (expr.kind == ExprKind::integer) return true;
     if (expr.kind != ExprKind::real) return expr.type == nat_type || expr.type == integer_type;
@@ -139,7 +139,7 @@ bool is_whole(const Expr& expr) {
 
 namespace {
 
-/// Registers are identified by their names, so two inputs, or two outputs, with the same name are reported.
+/// Reports two inputs, or two outputs, with the same name, because names identify registers.
 void check_register_names(const Lowering& lowering, const std::string& owner, const Declarations& declared,
                           const std::vector<Input>& inputs) {
     std::map<std::string, diagnostics::Span> read, written;
@@ -199,7 +199,8 @@ ExprPtr Expressions::read_variable(const ast::Expr& source, VariableId id) const
     return share_expression(std::move(expr));
 }
 
-/// `$e`, `$e?v`, `$e?v : p`, `$x`. In p, v is the value of the register; elsewhere in the condition v is the variable.
+/// Lowers `$e`, `$e?v`, `$e?v : p` and `$x`. In p, v is the value of the register. Elsewhere in the condition, v is the
+/// variable.
 ExprPtr Expressions::lower_register(const ast::Expr& source) {
     const auto input = names_.inputs.find(source.target);
     if (names_.machine == nullptr || input == names_.inputs.end()) {
@@ -241,7 +242,7 @@ void Expressions::add_store(const ast::Expr& source, VariableId content) {
     names_.stores->push_back(std::make_shared<const Stmt>(std::move(store)));
 }
 
-/// `cycle`: the constant of the machine.
+/// Lowers `cycle`, which is a constant of the machine.
 ExprPtr Expressions::lower_cycle(const ast::Expr& source) {
     Expr expr;
     expr.kind = ExprKind::constant;

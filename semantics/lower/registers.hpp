@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: the registers of machines and operations, and the lengths of cycles. Private to semantics/lower*.
+// Lowers the registers of RoboSim's machines and operations, and the lengths of cycles. Private to semantics/lower*.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace robochart::ir {
 /// Adds the variables, events, operations and inputs of both contexts, and their names.
 void add_registers(Lowering&, const frontend::Machine&, const std::string& element, Declarations&,
                    std::vector<Input>& inputs);
-/// The length in `cycle == e`, `{ cycle == e }` or `e`.
+/// Lowers the length e in `cycle == e`, `{ cycle == e }` or `e`.
 [[nodiscard]] ExprPtr lower_cycle_length(Lowering&, const Names&, const frontend::Expr&);
-/// The constant cycle_length of a component; its value is null if the component has no `cycleDef`. `required`: an
-/// enclosing component, if there is one, gives the value.
+/// Returns the constant cycle_length of a component. Its value is null if the component has no `cycleDef`. `required`
+/// is true if the value comes from the enclosing component, if there is one.
 [[nodiscard]] Constant cycle_constant(Lowering&, const Names&, const frontend::Context&, bool required);
 
 }  // namespace robochart::ir

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of the toolkit libraries. The types of the function's type variables follow from the arguments or, if the
-// arguments do not determine them, from the expected type.
+// Lowers calls of the toolkit libraries. The types of the function's type variables follow from the arguments or, if
+// the arguments do not determine them, from the expected type.
 #include <algorithm>
 #include <map>
 
@@ -18,7 +18,7 @@ class Bindings {
 public:
     explicit Bindings(Lowering& lowering) : lowering_(lowering) {}
 
-    /// A later binding of a variable widens an earlier one.
+    /// Binds the type variables of the formal type. A later binding of a variable widens an earlier one.
     void bind_variables(const ast::TypePtr& formal, TypeId actual);
     /// Binds the variables that are still open.
     void bind_remaining(const ast::TypePtr& formal, TypeId actual) {
@@ -27,12 +27,12 @@ public:
         for (const auto& [name, type] : before)
             if (!is_open(lowering_.system, type)) types_[name] = type;
     }
-    /// Unbound numbers, as in min({}), have type nat, which fits every number.
+    /// Binds unbound number types, as in min({}), to nat, which every number type includes.
     void complete_numbers(const ast::TypePtr& formal);
-    /// The formal type with its variables replaced; open variables become the unit type.
+    /// Returns the formal type with its variables replaced. Unbound variables become the unit type.
     TypeId instantiate_type(const ast::TypePtr& formal);
     std::vector<TypeId> in_order(const ast::Function& function);
-    /// The types of all variables of the signature, by name.
+    /// Returns the types of all variables of the signature, by name.
     std::map<std::string, TypeId> by_name(const ast::Function& function);
 
 private:
@@ -57,7 +57,7 @@ TypeId Bindings::composed_type(TypeKind kind, std::vector<TypeId> args, std::vec
     return intern_type(lowering_, std::move(result));
 }
 
-/// The two types of a relation, function, sequence or set of pairs; empty for other types.
+/// Returns the two types of a relation, function, sequence or set of pairs, or an empty result for other types.
 std::vector<TypeId> Bindings::pair_of(TypeId id) const {
     const Type& found = type_at(id);
     if (found.kind == TypeKind::relation || found.kind == TypeKind::function) return found.args;

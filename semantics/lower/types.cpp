@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types: equal structures get the same id.
+// Interns types: equal structures get the same id.
 #include "semantics/lower/types.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 using frontend::TypeForm;
 
-constexpr std::int64_t largest_size = 64;  // rows, columns: larger ones have too many values to explore
+constexpr std::int64_t largest_size = 64;  // limit on rows and columns; larger matrices have too many values to explore
 
 std::string key_of(const Type& type) {
     std::string key = std::to_string(static_cast<int>(type.kind));
@@ -89,7 +89,7 @@ TypeKind kind_of(const frontend::TypeDeclaration& declaration) {
     return declaration.kind == frontend::DeclKind::record_type ? TypeKind::record : TypeKind::given;
 }
 
-/// `T` as RoboChart writes it; "?" for an unknown part.
+/// Returns the type as RoboChart writes it, with "?" for an unknown part.
 std::string type_as_written(const System& system, const Type& type) {
     const auto part = [&](std::size_t i) {
         const Type& found = system.type(type.args.at(i));
@@ -169,7 +169,7 @@ TypeId lower_declared_type(Lowering& lowering, const frontend::TypeDeclaration& 
             lowering.report_unsupported("type " + declaration.name + ", which contains itself", where);
         return known->second.is_valid() ? known->second : nat_type;
     }
-    lowering.declared_types[&declaration] = TypeId{};  // in progress
+    lowering.declared_types[&declaration] = TypeId{};  // the type is in progress
     Type type;
     type.kind = kind_of(declaration);
     type.name = declaration.name;

@@ -31,7 +31,7 @@ Item item_of_statement(const ir::StmtPtr& stmt, const std::string& label) {
     return item;
 }
 
-/// The configuration after the statement, with these changed values.
+/// Returns the configuration after the statement, with these changed values.
 Next finish_item(const RunningThread& running, Values values) {
     return next_configuration(running.replace(running.tail()), std::move(values));
 }
@@ -44,7 +44,7 @@ void reset_clock(const MachineTables& tables, std::uint32_t index, ir::ClockId c
     if (tables.timed() && cell && tables.cells[*cell].reading.empty()) values[*cell] = b::number(0);
 }
 
-/// `S <{d}`: a counter that runs in parallel with the statement S and ends with it.
+/// Starts `S <{d}`: adds a counter that runs in parallel with the statement S and ends with it.
 Next start_deadline(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
                     const Values& values) {
     const Item inner = item_of_statement(stmt.body.at(0), running.head().label);
@@ -71,7 +71,7 @@ Next branch_on_condition(const MachineTables& tables, const RunningThread& runni
              next_configuration(running.replace(other), values)}};
 }
 
-/// The internal choice between the alternatives.
+/// Returns the internal choice between the alternatives.
 Next choose_alternative(const RunningThread& running, const ir::Stmt& stmt, const Program& rest, const Values& values) {
     if (stmt.body.empty()) return next_configuration(block_thread(running), values);
     Next result{Next::Kind::internal};
@@ -82,7 +82,7 @@ Next choose_alternative(const RunningThread& running, const ir::Stmt& stmt, cons
     return result;
 }
 
-/// The effect of the first statement, without the preconditions of the functions that it uses.
+/// Returns the effect of the first statement, without the preconditions of the functions that it uses.
 Next effect_of(MachineTables& tables, const RunningThread& running, const Values& values) {
     const ir::Stmt& stmt = *running.head().stmt;
     const Program& rest = running.tail();
@@ -123,7 +123,7 @@ Next effect_of(MachineTables& tables, const RunningThread& running, const Values
     return finish_item(running, values);
 }
 
-/// The effect of the first statement if it is not an event of the alphabet, followed by the continuation.
+/// Returns the effect of the first statement if it is not an event of the alphabet, followed by the continuation.
 Next perform_statement(MachineTables& tables, const RunningThread& running, const Values& values) {
     Next then = effect_of(tables, running, values);
     const b::Exprs conditions = function_preconditions(tables, running.frame(), *running.head().stmt, values);
@@ -138,7 +138,8 @@ std::optional<Next> silent_statement(MachineTables& tables, const RunningThread&
     if (is_visible(tables, running, stmt) || stmt.kind == StmtKind::choose) return std::nullopt;
     const bool about_time = stmt.kind == StmtKind::clock_reset || stmt.kind == StmtKind::wait ||
                             stmt.kind == StmtKind::wait_interval || stmt.kind == StmtKind::deadline;
-    if (about_time && !tables.timed()) return perform_statement(tables, running, values);  // dropped: semantics 3.11
+    // The untimed semantics omits the statement (semantics 3.11).
+    if (about_time && !tables.timed()) return perform_statement(tables, running, values);
     if (changes && (running.during || !alone)) return std::nullopt;
     if (!is_stable(tables, running.frame(), stmt, alone)) return std::nullopt;
     // Each further conditional in one function would double the size of the text. So a second conditional after a first
@@ -186,8 +187,8 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
     return std::nullopt;
 }
 
-/// The values that the statement reads, in the order of the fields of its channel: the assigned or sent value, or the
-/// arguments of a call.
+/// Returns the values that the statement reads, in the order of the fields of its channel: the assigned or sent value,
+/// or the arguments of a call.
 b::Exprs values_read(const MachineTables& tables, std::uint32_t index, const ir::Stmt& stmt) {
     const Frame& frame = tables.frames[index];
     b::Exprs result;
@@ -218,7 +219,7 @@ Branch freeze_values(MachineTables& tables, const RunningThread& running, const 
     return {nullptr, hidden_step(tables, frame, stmt, "read "), {}, std::move(then)};
 }
 
-/// `e.out`, `e.out!v`.
+/// Returns the branch `e.out` or `e.out!v`.
 Branch send_event(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt,
                   const b::Exprs& value) {
     const std::string& channel = tables.frames[running.frame()].events.at(stmt.communication.event.index);
@@ -229,7 +230,7 @@ Branch send_event(const MachineTables& tables, const RunningThread& running, con
     return {nullptr, b::dot({b::name(channel), b::name("out")}), std::move(fields), finish_item(running, {})};
 }
 
-/// `e.in?x`; then the value is stored (semantics 3.5).
+/// Returns the branch `e.in?x`, after which the value is stored (semantics 3.5).
 Branch receive_event(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
     const std::uint32_t frame = running.frame();
     const Project& project = tables.project();
@@ -256,7 +257,7 @@ Branch receive_event(MachineTables& tables, const RunningThread& running, const 
             next_configuration(running.replace(push_item(store, running.tail())), {{cell, value}})};
 }
 
-/// Writes a variable, by `set_x!v` if the variable is shared, otherwise by a hidden step (semantics 3.7).
+/// Writes a variable: by `set_x!v` if it is shared, and by a hidden step otherwise (semantics 3.7).
 Branch write_variable(MachineTables& tables, const RunningThread& running, CellId id, const ExprPtr& value) {
     const Cell& cell = tables.cells[id];
     Next next = finish_item(running, {{id, value}});
@@ -268,7 +269,7 @@ Branch write_variable(MachineTables& tables, const RunningThread& running, CellI
     return {nullptr, tables.events.step_event("store " + cell.name, meaning), {}, std::move(next)};
 }
 
-/// The event of a statement that sends, calls or writes; its fields are the values read before.
+/// Returns the event of a statement that sends, calls or writes. Its fields are the values read before.
 Branch event_of(MachineTables& tables, const RunningThread& running, const b::Exprs& values) {
     const ir::Stmt& stmt = *running.head().stmt;
     if (stmt.kind == StmtKind::communicate) return send_event(tables, running, stmt, values);
@@ -297,7 +298,7 @@ Branch statement_branch(MachineTables& tables, const RunningThread& running, boo
     const bool steady = is_stable(tables, frame, stmt, alone) && !reads_in_turn(tables, running, stmt);
     if (!steady) return freeze_values(tables, running, stmt);
     Branch result = event_of(tables, running, values_read(tables, frame, stmt));
-    // `pre & process` for the functions that the statement uses.
+    // Adds `pre &` for the preconditions of the functions that the statement uses.
     if (const b::Exprs conditions = function_preconditions(tables, frame, stmt, {}); !conditions.empty())
         result.guard = b::all_of(conditions);
     return result;

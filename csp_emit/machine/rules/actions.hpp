@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for statements (semantics 3.5). A statement is executed at once if no other thread or component can interfere
-// with it. A statement that reads or writes shared data is a separate step: RoboTool reads all variables of a statement
-// at one moment and keeps the values until the statement's event happens, so the values read are stored in separate
-// cells ("frozen").
+// Applies the rules for statements (semantics 3.5). A statement is executed at once if no other thread or component can
+// interfere with it. A statement that reads or writes shared data is a separate step. RoboTool reads all variables of a
+// statement at one moment and keeps the values until the statement's event happens. So these values are stored in
+// separate cells ("frozen").
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@
 
 namespace robochart::csp_emit {
 
-/// Executes the first item in the configuration that needs no event; returns no value if every item needs one.
+/// Executes the first item in the configuration that needs no event. Returns no value if every item needs an event.
 /// `branching` is true if the function already contains a conditional.
 [[nodiscard]] std::optional<Next> silent_step(MachineTables&, const Activation& config, const Values&, bool branching);
-/// The event of the first item of a thread; no value if the thread only waits for time or is stuck. `alone` is true if
-/// no other thread runs.
+/// Returns the event of the first item of a thread, or no value if the thread only waits for time or is stuck. `alone`
+/// is true if no other thread runs.
 [[nodiscard]] std::optional<Branch> head_branch(MachineTables&, const RunningThread&, bool alone);
 
 }  // namespace robochart::csp_emit

@@ -26,14 +26,14 @@ Program waiting_for_cycle(const std::string& label, const Program& rest) {
     return push_item(item, rest);
 }
 
-/// Whether the machine waits for the next cycle in its final state.
+/// True if the machine waits for the next cycle in its final state.
 bool waits_at_end(const MachineTables& tables, const Activation& config) {
     if (!config.at.is_valid()) return false;
     const ir::Node& node = tables.machine().nodes[config.at.index];
     return node.kind == ir::NodeKind::final && !node.parent.is_valid();
 }
 
-/// `registerRead.i_e?b?v`, after which the register has these contents.
+/// Returns the branch `registerRead.i_e?b?v`, after which the register has these contents.
 Branch read_register(const MachineTables& tables, const Activation& config, const ir::Input& input) {
     const auto& cells = tables.frames.root_frame().variables;
     std::vector<cspm::Field> fields;
@@ -121,7 +121,7 @@ std::vector<Branch> cycle_branches(MachineTables& tables, const Activation& conf
         if (auto branch = head_branch(tables, running, alone)) result.push_back(std::move(*branch));
     // an operation that is checked separately may require variables of its caller
     for (Branch& write : external_writes(tables, config, now)) result.push_back(std::move(write));
-    // the cycle process of a machine lets no time pass here; an operation that is checked separately has no such
+    // a machine's process of the cycle lets no time pass here, but an operation that is checked separately has no such
     // process
     if (tables.machine().kind == ir::MachineKind::operation && !is_urgent(tables, now))
         result.push_back(tock_branch(tables, config, now));

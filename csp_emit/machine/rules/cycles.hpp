@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: the steps of a machine in its cycles (docs/robosim.md). Between `endexec` and `startexec` the machine takes
-// no transition and does not access its registers itself; its registers are read, time passes, and a machine in its
-// final state may terminate. The process of the cycle (csp_emit/base/registers.hpp) determines when each of these
-// happens.
+// Determines the steps of a RoboSim machine in its cycles (docs/robosim.md). Between `endexec` and `startexec` the
+// machine takes no transition and does not access its registers itself. Instead, its registers are read, time passes,
+// and a machine in its final state may terminate. The process of the cycle (csp_emit/base/registers.hpp) determines the
+// order of these events.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,15 @@
 
 namespace robochart::csp_emit {
 
-/// Whether some thread has ended the cycle.
+/// True if some thread has ended the cycle.
 [[nodiscard]] bool is_between_cycles(const View&);
-/// Whether the first item of the thread reads or writes a register, or ends the cycle.
+/// True if the first item of the thread reads or writes a register, or ends the cycle.
 [[nodiscard]] bool touches_registers(const MachineTables&, const RunningThread&);
-/// The branch for the statement `exec`: the event `endexec`, after which the thread waits for the next cycle.
+/// Returns the branch for the statement `exec`: the event `endexec`, after which the thread waits for the next cycle.
 [[nodiscard]] Branch end_cycle(const RunningThread&);
-/// The initial configuration of a state machine: the first cycle has not begun.
+/// Returns the initial configuration of a state machine: the first cycle has not begun.
 [[nodiscard]] Activation before_first_cycle(const ir::Machine&);
-/// All events that the configuration offers.
+/// Returns all events that the configuration offers.
 [[nodiscard]] std::vector<Branch> cycle_branches(MachineTables&, const Activation& config);
 
 }  // namespace robochart::csp_emit

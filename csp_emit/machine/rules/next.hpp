@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of rules: the next configurations, and the events that lead to them. Only processes.hpp converts them to
-// processes.
+// Defines the results of rules: the next configurations, and the events that lead to them. Only processes.hpp converts
+// results to processes.
 #pragma once
 
 #include <vector>

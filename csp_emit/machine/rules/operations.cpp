@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starts a called operation: the place where it runs, and its initial values.
+// Starts a called operation: determines where it runs, and its initial values.
 #include "csp_emit/machine/rules/operations.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// Whether the call runs without concurrency, so that the return address determines the caller's configuration.
+/// True if the call runs without concurrency, so that the return address determines the caller's configuration.
 bool may_share_call(const MachineTables& tables, const RunningThread& running, const Activation& returned) {
     // A shared operation runs in a separate configuration, which does not contain the state of its caller.
     if (!tables.project().options.share_calls || tables.context.shows_states() || tables.machine().robosim)
@@ -28,7 +28,7 @@ bool may_share_call(const MachineTables& tables, const RunningThread& running, c
     return active_monitors(tables, view_of(returned), {}).empty();
 }
 
-/// The initial values of a called operation: its parameters, its own variables and clocks.
+/// Returns the initial values of a called operation: its parameters, its own variables and clocks.
 Values called_values(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, std::uint32_t callee,
                      const Values& values) {
     const Frame& frame = tables.frames[callee];
@@ -48,7 +48,7 @@ Values called_values(MachineTables& tables, const RunningThread& running, const 
     return inside;
 }
 
-/// The preconditions of the operation, preceded by those of the functions that they call.
+/// Returns the preconditions of the operation, preceded by those of the functions that they call.
 b::Exprs preconditions_of(const MachineTables& tables, const ir::Machine& operation, std::uint32_t frame,
                           const Values& inside) {
     const Scope names = tables.frames.make_scope(frame, inside);

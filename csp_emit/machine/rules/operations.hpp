@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls (semantics 3.8). If the context does not define the operation, a call is one event `opCall.args`. Otherwise the
-// operation's machine runs and then returns to its caller. All calls share the operation's code (call_sharing.hpp),
-// unless another thread runs concurrently with the call. In that case the code is inlined, and the operation's
-// parameters and variables become parameters of the inlined points.
+// Applies the rules for calls (semantics 3.8). If the context does not define the operation, a call is one event
+// `opCall.args`. Otherwise the operation's machine runs and then returns to its caller. All calls share the operation's
+// code (call_sharing.hpp), unless another thread runs concurrently with the call. In that case the code is inlined, and
+// the operation's parameters and variables become parameters of the inlined points.
 #pragma once
 
 #include <vector>

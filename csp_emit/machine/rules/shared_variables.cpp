@@ -18,7 +18,7 @@ bool others_write(const MachineTables& tables) {
     return std::ranges::any_of(variables, [&](CellId cell) { return tables.cells[cell].shared; });
 }
 
-/// Whether the statement may contain a part during which no other component may write.
+/// True if the statement may contain a part during which no other component may write.
 bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
     const auto function = [](const ir::Expr& part) { return part.kind == ir::ExprKind::call; };
     const auto expressions = expressions_of(stmt);
@@ -27,7 +27,7 @@ bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
            std::ranges::any_of(stmt.body, [&](const auto& part) { return may_refuse_writes(tables, *part); });
 }
 
-/// Whether the current state of the thread prevents writes by other components.
+/// True if the current state of the thread prevents writes by other components.
 bool refuses_writes(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
     if (item.kind == ItemKind::stuck || item.kind == ItemKind::shown) return true;

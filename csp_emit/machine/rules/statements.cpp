@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties that the rules for statements, time and shared variables all need.
+// Computes properties that the rules for statements, time and shared variables all need.
 #include "csp_emit/machine/rules/statements.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of a statement in the thread that will execute it (semantics 3.5): what it reads, whether it is visible,
-// and which preconditions it has.
+// Computes properties of a statement in the thread that will execute it (semantics 3.5): what it reads, whether it is
+// visible, and which preconditions it has.
 #pragma once
 
 #include <vector>
@@ -10,31 +10,31 @@
 
 namespace robochart::csp_emit {
 
-/// The expressions that the statement itself evaluates, without those of nested statements.
+/// Returns the expressions that the statement itself evaluates, without those of nested statements.
 [[nodiscard]] std::vector<const ir::Expr*> expressions_of(const ir::Stmt&);
-/// Whether the statement reads only values that other threads and components cannot write. `alone`: no other thread
-/// runs.
+/// True if the statement reads only values that other threads and components cannot write. `alone` is true if no other
+/// thread runs.
 [[nodiscard]] bool is_stable(const MachineTables&, std::uint32_t frame, const ir::Stmt&, bool alone);
-/// Whether the current value of every variable that the statement reads is a name or a literal. Such a value can be
+/// True if the current value of every variable that the statement reads is a name or a literal. Such a value can be
 /// used twice without copying a large expression.
 [[nodiscard]] bool reads_only_names(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
-/// Whether the operation that the statement calls is defined in the machine's context.
+/// True if the operation that the statement calls is defined in the machine's context.
 [[nodiscard]] bool is_defined(const MachineTables&, const RunningThread&, const ir::Stmt& call);
-/// Whether the statement is an event of the machine's alphabet.
+/// True if the statement is an event of the machine's alphabet.
 [[nodiscard]] bool is_visible(const MachineTables&, const RunningThread&, const ir::Stmt&);
-/// The preconditions of the functions that the statement uses (semantics 3.5).
+/// Returns the preconditions of the functions that the statement uses (semantics 3.5).
 [[nodiscard]] std::vector<cspm::ExprPtr> function_preconditions(const MachineTables&, std::uint32_t frame,
                                                                 const ir::Stmt&, const Values&);
-/// The new value of the assigned variable; the statement may replace only one part of it.
+/// Returns the new value of the assigned variable. The statement may replace only one part of it.
 [[nodiscard]] cspm::ExprPtr assigned_value(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
-/// The declared initial value of a private variable; required variables start with the type's default (semantics 3.6,
-/// 3.7).
+/// Returns the initial value of a variable: the declared value for a private variable, and the type's default for a
+/// required variable (semantics 3.6, 3.7).
 [[nodiscard]] cspm::ExprPtr initial_value(MachineTables&, std::uint32_t frame, const ir::Variable&);
 
-/// A hidden step of a statement: `step__.n`.
+/// Returns a hidden step of a statement: `step__.n`.
 [[nodiscard]] cspm::ExprPtr hidden_step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
-/// The configuration in which this thread is blocked. Deadlines around the statement still expire, because `S <{d}` is
-/// interrupted after d by a process that stops time, independently of S (semantics 3.10).
+/// Returns the configuration in which this thread is blocked. Deadlines around the statement still expire: in `S <{d}`,
+/// a process that stops time interrupts S after d, whatever S does (semantics 3.10).
 [[nodiscard]] Activation block_thread(const RunningThread&);
 
 }  // namespace robochart::csp_emit

@@ -14,7 +14,7 @@ using ir::NodeKind;
 
 namespace {
 
-/// The enclosing composite states that have not been entered yet, innermost first.
+/// Returns the enclosing composite states that have not been entered yet, innermost first.
 std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activation& activation, NodeId node) {
     std::vector<NodeId> result;
     for (NodeId above = machine.nodes[node.index].parent; above.is_valid(); above = machine.nodes[above.index].parent)
@@ -22,14 +22,14 @@ std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activat
     return result;
 }
 
-/// Whether the node is the state itself or inside it.
+/// True if the node is the state itself or inside it.
 bool is_within(const ir::Machine& machine, NodeId node, NodeId state) {
     while (node.is_valid() && node != state) node = machine.nodes[node.index].parent;
     return node.is_valid();
 }
 
-/// Finds the running machine of the frame. After a change of the configuration, this look-up is necessary to find the
-/// owner of a thread again.
+/// Finds the running machine of the frame. This is necessary after each change of the configuration, to find the owner
+/// of a thread again.
 const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
     const auto found = std::ranges::find_if(
         view.machines, [&](const RunningMachine& running) { return running.activation->frame == frame; });

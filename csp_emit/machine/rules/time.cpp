@@ -32,7 +32,8 @@ void for_each_deadline(const View& view, const Visit& visit) {
     for (const RunningThread& running : view.threads) deadlines(running.thread().rest);
 }
 
-/// The preconditions of a call of a platform operation in `pre & opCall`, which is urgent only if it is offered.
+/// Returns the preconditions of a call of a platform operation, `pre & opCall`. The call is urgent only if it is
+/// offered.
 b::Exprs call_preconditions(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
     if (item.kind != ItemKind::statement || item.stmt->kind != ir::StmtKind::call) return {};
@@ -43,7 +44,8 @@ b::Exprs call_preconditions(const MachineTables& tables, const RunningThread& ru
                : b::Exprs{};
 }
 
-/// Time passes only if no deadline has expired and no operation of the platform can be called.
+/// Returns the conditions under which time may pass: no deadline has expired and no operation of the platform can be
+/// called.
 b::Exprs time_conditions(const MachineTables& tables, const View& view) {
     b::Exprs result;
     for (const RunningThread& running : view.threads)
@@ -60,7 +62,7 @@ b::Exprs time_conditions(const MachineTables& tables, const View& view) {
     return result;
 }
 
-/// Decreases the remaining times of waits; a thread whose wait is over continues. The waits are handled one after the
+/// Decreases the remaining times of waits. A thread whose wait is over continues. The waits are handled one after the
 /// other, and `values` contains the results of those handled so far.
 Next after_tock(const MachineTables& tables, const Activation& config, const Values& values) {
     const View now = view_of(config);

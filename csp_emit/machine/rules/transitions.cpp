@@ -39,7 +39,7 @@ bool is_inside(const ir::Machine& machine, NodeId node, NodeId composite) {
     return false;
 }
 
-/// Whether the transition leaves a state below `source` that has an exit action.
+/// True if the transition leaves a state below `source` that has an exit action.
 bool has_inner_exit(const ir::Machine& machine, NodeId active, NodeId source) {
     for (NodeId node = active; node.is_valid() && node != source; node = machine.nodes[node.index].parent)
         if (machine.nodes[node.index].exit) return true;
@@ -54,8 +54,8 @@ ExprPtr unless_true(const ExprPtr& guard) {
     return is_true(guard) ? nullptr : guard;
 }
 
-/// Whether the order of two steps matters: the store of a trigger's value, and an exit action. It matters if the store
-/// is visible or the action uses the variable. A call of any defined operation counts as a use.
+/// True if the order of the store of a trigger's value and an exit action matters. It matters if the store is visible
+/// or the action uses the variable. A call of any defined operation counts as a use.
 bool order_matters(const MachineTables& tables, std::uint32_t index, ir::VariableId variable, const ir::Stmt& exit) {
     bool found = tables.cells[tables.frames[index].variables.at(variable.index)].shared;
     const auto uses = [&](const ir::Expr& part) {
@@ -71,7 +71,7 @@ bool order_matters(const MachineTables& tables, std::uint32_t index, ir::Variabl
     return found;
 }
 
-/// Whether the store of the transition races with exit actions of states inside its source (semantics 3.4, step 4).
+/// True if the store of the transition races with exit actions of states inside its source (semantics 3.4, step 4).
 bool store_races(const MachineTables& tables, std::uint32_t index, const ir::Transition& transition) {
     const ir::Machine& machine = *tables.frames[index].machine;
     for (std::uint32_t i = 0; i < machine.nodes.size(); ++i)
@@ -91,7 +91,7 @@ Values reset_clocks(const MachineTables& tables, std::uint32_t index, const ir::
     return result;
 }
 
-/// An item for a part of the transition's effect. Apart from its kind, the item contains only a label.
+/// Returns an item for a part of the transition's effect. Apart from its kind, the item contains only a label.
 Item item_of(const ir::Transition& transition, ItemKind kind) {
     Item item;
     item.kind = kind;
@@ -106,8 +106,8 @@ Item statement_item(const ir::StmtPtr& stmt, const std::string& label) {
     return item;
 }
 
-/// Adds the exits of the active nodes up to the source, innermost first. `join`: the source's exit waits for the store
-/// that runs in parallel.
+/// Adds the exits of the active nodes up to the source, innermost first. If `join` is true, the source's exit waits for
+/// the store that runs in parallel.
 void add_exits(const MachineTables& tables, const Activation& activation, const ir::Transition& transition, bool join,
                std::vector<Item>& items) {
     const ir::Machine& left = *tables.frames[activation.frame].machine;
@@ -123,9 +123,9 @@ void add_exits(const MachineTables& tables, const Activation& activation, const 
     }
 }
 
-/// The configuration in which the transition runs: `first`, resets, exits innermost first, action, target. If exits of
-/// inner states race with `first`, the store of the trigger's value, the store is a separate thread, and the exit of
-/// the source waits for it (semantics 3.4, step 4).
+/// Returns the configuration in which the transition runs: `first`, resets, exits innermost first, action, target. If
+/// exits of inner states race with `first`, the store of the trigger's value, the store is a separate thread, and the
+/// exit of the source waits for it (semantics 3.4, step 4).
 Activation leave_source(MachineTables& tables, const Activation& activation, ir::TransitionId id, Program first) {
     const ir::Machine& left = *tables.frames[activation.frame].machine;
     const ir::Transition& transition = left.transitions[id.index];
@@ -158,12 +158,12 @@ Activation leave_source(MachineTables& tables, const Activation& activation, ir:
     return result;
 }
 
-/// The condition in this semantics (untimed or timed); null if the transition has none.
+/// Returns the condition in this semantics (untimed or timed), or null if the transition has none.
 ir::ExprPtr condition_in_time(const MachineTables& tables, const ir::Transition& transition) {
     return tables.timed() || !transition.guard_timed ? transition.guard : ir::untimed_guard(transition.guard).kept;
 }
 
-/// With a trigger: `g & e.in?x`; the received value is stored first.
+/// Fires a transition with a trigger: `g & e.in?x`. The received value is stored first.
 Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t index = running.activation->frame;
     const Project& project = tables.project();
@@ -210,8 +210,8 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
     return result;
 }
 
-/// RoboSim: a transition without `exec` is a hidden step; one with `exec` is `endexec`, and its effect follows in the
-/// next cycle. The values of `$e?v` are those that made the condition true (docs/robosim.md).
+/// RoboSim: fires a transition. Without `exec` it is a hidden step. With `exec` it is `endexec`, and its effect follows
+/// in the next cycle. The values of `$e?v` are those that made the condition true (docs/robosim.md).
 Branch fire_in_cycle(MachineTables& tables, const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t index = running.activation->frame;
     const ir::Transition& transition = tables.frames[index].machine->transitions[id.index];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens frames. An operation shares the elements that it requires with its caller; its other elements get new cells.
+// Opens frames. An operation shares the elements that it requires with its caller. Its other elements get new cells.
 #include "csp_emit/machine/tables/activation_records.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// Index of the element with that name, if it exists.
+/// Returns the index of the element with this name, if it exists.
 template <class Element>
 std::optional<std::size_t> find_named(const std::vector<Element>& elements, const std::string& name) {
     const auto found = std::ranges::find_if(elements, [&](const Element& e) { return e.name == name; });
@@ -25,14 +25,14 @@ std::optional<std::size_t> find_named(const std::vector<Element>& elements, cons
     return static_cast<std::size_t>(found - elements.begin());
 }
 
-/// A text for the caller's element with this name; "-" if the caller has none.
+/// Returns a text for the caller's element with this name, or "-" if the caller has none.
 template <class Element, class Meaning>
 std::string bound_to(const std::vector<Element>& elements, const std::string& name, const Meaning& meaning) {
     const auto found = find_named(elements, name);
     return found ? meaning(*found) : "-";
 }
 
-/// Whether a guard of the machine reads the clock.
+/// True if a guard of the machine reads the clock.
 bool reads_clock(const ir::Machine& machine, std::uint32_t clock) {
     const auto uses = [&](const ir::Expr& part) {
         if (part.kind == ir::ExprKind::since) return part.clock.index == clock;
@@ -75,8 +75,8 @@ std::uint32_t ActivationRecords::open_frame(const ir::Machine& opened, std::uint
     return static_cast<std::uint32_t>(frames_.size() - 1);
 }
 
-/// A machine may have several own variables with the same name, which may also be the name of a shared variable. The
-/// shared variable has RoboTool's channels, and the own variables have other channels.
+/// Adds cells for the variables. A machine may have several own variables with the same name, which may also be the
+/// name of a shared variable. The shared variable has RoboTool's channels, and the own variables have other channels.
 void ActivationRecords::add_variables(Frame& frame, bool root) {
     std::set<std::string> channels;
     for (const ir::Variable& variable : frame.machine->variables)
@@ -153,7 +153,7 @@ void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     if (!outside) frame.own.push_back(*frame.clocks.back());
 }
 
-/// Whether the machine reads its clock, or may call an operation that requires and reads the clock.
+/// True if the machine reads its clock, or may call an operation that requires and reads the clock.
 bool ActivationRecords::read_somewhere(const ir::Machine& opened, ir::ClockId id) const {
     const auto below = calls_.callable_operations();
     const auto inherits = [&](const ir::Machine* operation) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters that hold the variables, clocks and counters of a machine and of each called operation. An operation
+// Stores the parameters for the variables, clocks and counters of a machine and of each called operation. An operation
 // uses the variables, clocks and events of its caller with the same names (semantics 3.8).
 #pragma once
 
@@ -25,10 +25,10 @@ struct Frame {
     std::vector<std::optional<CellId>> clocks;  ///< by ClockId; no cell if nothing reads the clock
     std::optional<ir::ClockId> watched;         ///< the clock MachineContext::watched
     std::vector<std::string> announced;         ///< by ClockId: CLID_C if a reset is an event; otherwise empty
-    std::vector<cspm::ExprPtr> constants;       ///< by ConstantId
-    std::vector<std::string> events;            ///< by EventId: the channel
+    std::vector<cspm::ExprPtr> constants;       ///< by ConstantId: the value
+    std::vector<std::string> events;            ///< by EventId: the channel of the event
     std::vector<CellId> own;                    ///< cells whose lifetime is that of the frame
-    std::map<std::uint32_t, CellId> monitors;   ///< by TransitionId: deadlines of transitions
+    std::map<std::uint32_t, CellId> monitors;   ///< by TransitionId: the counter of the deadline
 };
 
 /// Owns the frames: number 0 is the machine, the others are called operations.
@@ -39,21 +39,22 @@ public:
 
     [[nodiscard]] const Frame& operator[](std::uint32_t frame) const { return frames_[frame]; }
     [[nodiscard]] const Frame& root_frame() const { return frames_.front(); }
-    /// The frame of the operation that the statement of `caller` calls.
+    /// Returns the frame of the operation that the statement of `caller` calls.
     std::uint32_t frame_of_call(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation);
-    /// A frame of the operation. Callers share the frame if the operation's required variables and clocks denote the
-    /// same cells for all of them.
+    /// Returns a frame of the operation. Callers share the frame if the operation's required variables and clocks
+    /// denote the same cells for all of them.
     std::uint32_t shared_frame(std::uint32_t caller, const ir::Machine& operation);
 
-    /// The meaning of names in expressions of a frame.
+    /// Returns the meanings of the names in expressions of a frame.
     [[nodiscard]] Scope make_scope(std::uint32_t frame, const Values&, cspm::ExprPtr trigger_value = nullptr) const;
-    /// The definition of the operation in the context of the frame's machine; null if the call is an event.
+    /// Returns the definition of the operation in the context of the frame's machine, or null if the call is an event.
     [[nodiscard]] const ir::Machine* find_definition(std::uint32_t frame, ir::OperationId) const;
-    /// The constructor for the clock in its event clockReset; null if a reset is not an event.
+    /// Returns the constructor for the clock in its event clockReset, or null if a reset is not an event.
     [[nodiscard]] const std::string* reset_constructor(std::uint32_t frame, ir::ClockId) const;
-    /// The full duration of a transition's deadline, identified by the cell that counts it down (semantics 3.10).
+    /// Returns the full duration of a transition's deadline, identified by the cell that counts it down (semantics
+    /// 3.10).
     [[nodiscard]] cspm::ExprPtr full_time(CellId monitor, const Values&) const;
-    /// The statement for a clock reset on a transition, if the reset is an event.
+    /// Returns the statement for a clock reset on a transition, if the reset is an event.
     [[nodiscard]] const ir::Stmt* reset_statement(std::uint32_t frame, ir::TransitionId, ir::ClockId);
 
 private:
@@ -78,7 +79,7 @@ private:
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, ir::Stmt> reset_statements_;
 };
 
-/// Whether the clock belongs to the caller of an operation that is checked on its own.
+/// True if the clock belongs to the caller of an operation that is checked on its own.
 [[nodiscard]] bool is_callers(const ir::Machine&, const ir::Clock&);
 
 }  // namespace robochart::csp_emit

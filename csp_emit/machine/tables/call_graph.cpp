@@ -25,7 +25,8 @@ Callees find_callees(const std::vector<const ir::Machine*>& definitions) {
     return result;
 }
 
-/// Whether the calls have a cycle: operations without callers are removed until none remains (Kahn 1962).
+/// True if the calls have a cycle. Operations without callers are removed one after the other. If some remain, there is
+/// a cycle (Kahn 1962).
 bool has_cycle(const Callees& callees) {
     std::map<const ir::Machine*, std::size_t> callers;
     for (const auto& [caller, called] : callees)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine and the operations that it calls, directly or indirectly, if they are defined in its context.
+// Finds the operations that the machine calls, directly or indirectly, and that are defined in its context.
 #pragma once
 
 #include <string>
@@ -17,18 +17,18 @@ public:
     /// Reserves names for the constants in the context.
     explicit CallGraph(MachineContext&);
 
-    /// The definition of an operation that a machine calls; null if the context has none, in which case the call is an
-    /// event.
+    /// Returns the definition of an operation that a machine calls, or null if the context has none, in which case the
+    /// call is an event.
     [[nodiscard]] const ir::Machine* find_definition(const ir::Machine& caller, ir::OperationId) const;
-    /// The operations that the machine calls, directly or indirectly.
+    /// Returns the operations that the machine calls, directly or indirectly.
     [[nodiscard]] std::vector<const ir::Machine*> callable_operations() const;
-    /// A cycle of calls that contains both operations, such as `o -> p -> o`, if the called operation can call its
-    /// caller; otherwise "".
+    /// Returns a cycle of calls that contains both operations, such as `o -> p -> o`, or "" if the called operation
+    /// cannot call its caller.
     [[nodiscard]] std::string describe_recursion(const ir::Machine& caller, const ir::Machine& operation) const;
 
-    /// The machine's constants in order of declaration, then those of the operations that it calls.
+    /// Returns the machine's constants in order of declaration, then those of the operations that it calls.
     [[nodiscard]] const std::vector<ConstantParameter>& constants() const { return constants_; }
-    /// The names of these constants as parameters of the machine's functions.
+    /// Returns the names of these constants as parameters of the machine's functions.
     [[nodiscard]] std::vector<std::string> constants_inside() const;
 
 private:

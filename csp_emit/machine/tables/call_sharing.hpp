@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One definition of an operation for all its calls (semantics 3.8). While an operation called by the control thread
-// runs, its caller only waits. So the configuration contains only the operation. One parameter is the stack of return
-// addresses: a sequence of numbers, innermost call first. An operation that is called concurrently with during actions,
-// or under a deadline, is inlined: it runs in a configuration with its caller.
+// Uses one definition of an operation for all its calls (semantics 3.8). While an operation called by the control
+// thread runs, its caller only waits, so the configuration contains only the operation. One parameter is the stack of
+// return addresses: a sequence of numbers, innermost call first. An operation that is called concurrently with during
+// actions, or under a deadline, is inlined: it runs in a configuration with its caller.
 #pragma once
 
 #include <map>
@@ -22,8 +22,8 @@ struct Continuation {
     std::string name;         ///< name of its function
 };
 
-/// Owns the continuations of shared calls and the values of the stack. A call is numbered after all calls have been
-/// collected; until then, the expression node for its number is empty.
+/// Owns the continuations of shared calls and the values of the stack. Calls are numbered after all have been
+/// collected. Until then, the expression node for the number of a call is empty.
 class CallSharing {
 public:
     CallSharing(ParameterTable& cells, PointTable& points, FamilyCalls& calls)
@@ -31,13 +31,13 @@ public:
 
     /// Pushes the return address of a call on the stack: sets the stack in `inside`.
     void push_return(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside);
-    /// The call of the function for the end of the operation.
+    /// Returns the call of the function for the end of the operation.
     [[nodiscard]] cspm::ExprPtr return_from(std::uint32_t frame, const Values&, bool after_tock);
-    /// The stack after a call has returned.
+    /// Returns the stack after a call has returned.
     [[nodiscard]] Values stack_after_call(const Continuation&);
     [[nodiscard]] const std::vector<Continuation>& continuations() const { return continuations_; }
 
-    /// At the end of an operation: selects the continuation by the top of the stack.
+    /// Returns the process at the end of an operation, which selects the continuation by the top of the stack.
     [[nodiscard]] cspm::ExprPtr select_continuation(std::uint32_t frame);
     /// Fills in the values of the stack. An operation with a single continuation needs no number.
     void fill_values();
@@ -47,7 +47,7 @@ public:
     void skip_returns(std::vector<Function>& functions, const std::vector<Function>& behind);
     /// Records which parameter is the stack, and the meaning of its values.
     void describe_stack(Candidates&) const;
-    /// The functions `top` and `rest` of the stack, if some operation has several continuations.
+    /// Declares the functions `top` and `rest` of the stack, if some operation has several continuations.
     void declare_functions(std::vector<cspm::DeclPtr>& decls) const;
 
 private:
@@ -62,7 +62,7 @@ private:
     struct Pending {
         std::uint32_t frame;
         std::shared_ptr<cspm::Expr> value;
-        std::optional<std::size_t> pushed;  ///< the number of the continuation; no value: the top is popped
+        std::optional<std::size_t> pushed;  ///< the number of the continuation; no value: the call pops the top
         cspm::ExprPtr outer;
     };
 
@@ -70,7 +70,7 @@ private:
     PointTable& points_;
     FamilyCalls& calls_;
     std::optional<CellId> return_stack_;        ///< the stack of active calls
-    std::map<std::uint32_t, Returns> returns_;  ///< by frame
+    std::map<std::uint32_t, Returns> returns_;  ///< the returns of each frame
     std::vector<Continuation> continuations_;
     std::vector<Pending> pending_;
 };

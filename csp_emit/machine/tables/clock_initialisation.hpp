@@ -19,18 +19,18 @@ class ClockWatch {
 public:
     ClockWatch(const MachineContext&, const ActivationRecords&, ParameterTable&, Provenance&);
 
-    /// The parameter that records whether the clock has been reset.
+    /// Returns the parameter that records whether the clock has been reset.
     [[nodiscard]] const std::optional<CellId>& reset_cell() const { return cell_; }
     /// Records a reset of the watched clock.
     void note_reset(const Frame&, ir::ClockId, Values&) const;
-    /// `not set__ & unset__.n -> STOP` if the transition's guard reads the watched clock, otherwise null. A settled
-    /// machine reads the guards of all transitions that could fire (semantics 3.4).
+    /// Returns `not set__ & unset__.n -> STOP` if the transition's guard reads the watched clock, or null otherwise. A
+    /// settled machine reads the guards of all transitions that could fire (semantics 3.4).
     [[nodiscard]] cspm::ExprPtr read_unset(std::uint32_t frame, ir::TransitionId);
     /// Adds `reset__` as a choice to the process after the clock has been reset.
     [[nodiscard]] cspm::ExprPtr with_reset(const cspm::ExprPtr& process) const;
 
     void declare(std::vector<cspm::DeclPtr>& decls) const;
-    /// The number of guards that read the clock.
+    /// Returns the number of guards that read the clock.
     [[nodiscard]] std::size_t read_count() const { return reads_.size(); }
 
 private:

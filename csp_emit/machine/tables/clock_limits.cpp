@@ -34,7 +34,8 @@ public:
     ClockBounds(const ir::Machine& machine, std::string clock, ir::NodeId entry_of)
         : machine_(machine), clock_(std::move(clock)), entry_of_(entry_of) {}
 
-    /// Returns false if a guard uses the clock other than as a side of a comparison, which rule TE4 forbids.
+    /// Collects the bounds. Returns false if a guard uses the clock in a way that rule TE4 forbids, that is, not as a
+    /// side of a comparison.
     bool collect_bounds(std::vector<const ir::Expr*>& bounds) const {
         bool direct = true;
         for (const ir::Transition& transition : machine_.transitions)
@@ -64,7 +65,7 @@ private:
     ir::NodeId entry_of_;
 };
 
-/// The largest number is not increased, because no run is long enough for a clock to exceed it.
+/// Returns value + 1. The largest number is not increased, because no run is long enough for a clock to exceed it.
 ExprPtr plus_one(const ExprPtr& value) {
     if (value->kind == Op::integer) return b::number(ir::number_after(value->number));
     return b::binary(Op::plus, value, b::number(1));
@@ -101,7 +102,7 @@ ExprPtr ClockLimits::limit_of(const ir::Machine& opened, const std::string& cloc
     return call_of(name, calls_.constants_inside());
 }
 
-/// A bound in whole time units, rounded up; variables range over all values of their types.
+/// Returns a bound in whole time units, rounded up. Variables range over all values of their types.
 ExprPtr ClockLimits::bound_in_units(const ir::Machine& checked, const ir::Expr& bound,
                                     std::vector<cspm::Clause>& variables) const {
     Scope names;

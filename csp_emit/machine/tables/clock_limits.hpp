@@ -16,8 +16,8 @@ public:
     ClockLimits(const Project& project, const CallGraph& calls, NameManager& names)
         : project_(project), calls_(calls), names_(names) {}
 
-    /// One more than the largest value with which the clock, or the clock of a state, is compared. The result is a
-    /// number, or a call of a function of the constants if some bound is not a literal.
+    /// Returns one more than the largest value with which the clock, or the clock of a state, is compared. The result
+    /// is a number, or a call of a function of the constants if some bound is not a literal.
     [[nodiscard]] cspm::ExprPtr limit_of(const ir::Machine& opened, const std::string& clock, ir::NodeId entry_of);
     [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
 

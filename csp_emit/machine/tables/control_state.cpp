@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traversal and reconstruction of configurations.
+// Traverses and reconstructs configurations.
 #include "csp_emit/machine/tables/control_state.hpp"
 
 #include <algorithm>
@@ -58,8 +58,8 @@ Activation with_thread(const Activation& activation, std::size_t number, Thread 
     return result;
 }
 
-/// `during`: the machine runs inside a during action, so other threads and transitions may act between any two of its
-/// steps.
+/// Collects the running machines and threads. `during` is true if the machine runs inside a during action, so that
+/// other threads and transitions may act between any two of its steps.
 void collect_running(const std::shared_ptr<const RunningMachine>& machine, bool during, View& view) {
     view.machines.push_back(*machine);
     for (std::size_t number = 0; number <= machine->activation->durings.size(); ++number) {

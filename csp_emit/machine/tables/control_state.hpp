@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The control state of a machine, without its data: which nodes are active, what the control thread and the during
-// threads still have to execute, which operations are being called. The data are in parameters (cells). Each reachable
+// Represents the control state of a machine, without its data: the active nodes, the remaining items of the control
+// thread and the during threads, and the running operations. The data are in parameters (cells). Each reachable
 // configuration becomes one CSPM function.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace robochart::csp_emit {
 
-/// Index of a parameter of the machine's functions: a variable, clock, counter or frozen value.
+/// The index of a parameter of the machine's functions: a variable, clock, counter or frozen value.
 using CellId = std::uint32_t;
 
 enum class ItemKind {
@@ -21,7 +21,7 @@ enum class ItemKind {
     store,         ///< write the received value in `cells[0]` to a variable
     waiting,       ///< a wait with `cells[0]` remaining units
     deadline_end,  ///< leaves the scope of a deadline that `cells[0]` counts
-    left,          ///< leaves a node: a hidden step, until which others may write shared variables
+    left,          ///< leaves a node: a hidden step, before which other components may write shared variables
     shown,         ///< leaves a state, if the machine shows that the state is left (shown.hpp): a hidden step
     enter,         ///< enter a node
     entered,       ///< a state has been entered
@@ -76,9 +76,9 @@ struct Activation {
                                       ///< for its guards
 };
 
-/// Whether a running machine is in a node and runs no transition.
+/// True if a running machine is in a node and runs no transition.
 [[nodiscard]] bool is_settled(const Activation&);
-/// Equal keys mean equal configurations.
+/// Returns a key for the configuration. Equal keys mean equal configurations.
 [[nodiscard]] std::string activation_key(const Activation&);
 
 /// A running machine or operation within a configuration, reached by a path of calls.
@@ -86,7 +86,7 @@ struct RunningMachine {
     const Activation* activation = nullptr;
     std::shared_ptr<const RunningMachine> caller;  ///< null for the machine itself, which is the whole configuration
     std::size_t thread = 0;                        ///< index of the caller's thread that called it
-    /// The whole configuration in which another activation replaces this one.
+    /// Returns the whole configuration in which another activation replaces this one.
     [[nodiscard]] Activation replace(Activation) const;
 };
 /// A thread within a configuration.
@@ -99,9 +99,9 @@ struct RunningThread {
     [[nodiscard]] std::uint32_t frame() const { return owner().frame; }
     [[nodiscard]] const Thread& thread() const;
     [[nodiscard]] const Item& head() const { return thread().rest->head; }
-    /// The rest of the thread's program after its first item.
+    /// Returns the rest of the thread's program after its first item.
     [[nodiscard]] const Program& tail() const { return thread().rest->tail; }
-    /// The whole configuration in which another thread replaces this one; a finished during action is dropped.
+    /// Returns the whole configuration in which another thread replaces this one. A finished during action is dropped.
     [[nodiscard]] Activation replace(Thread) const;
     [[nodiscard]] Activation replace(Program rest) const { return replace(Thread{std::move(rest), nullptr}); }
 };
@@ -111,13 +111,13 @@ struct View {
     std::vector<RunningMachine> machines;
     std::vector<RunningThread> calls;  ///< threads that wait for an operation
 };
-/// `config` must outlive the view.
+/// Finds the threads and running machines of a configuration. `config` must outlive the view.
 [[nodiscard]] View view_of(const Activation& config);
 
-/// The first item of the innermost control thread; null if there is none. It determines the name and the description of
-/// the configuration.
+/// Returns the first item of the innermost control thread, or null if there is none. It determines the name and the
+/// description of the configuration.
 [[nodiscard]] const Item* running_item(const Activation&);
-/// The machine or operation in which the control thread is.
+/// Returns the machine or operation in which the control thread is.
 [[nodiscard]] const Activation& innermost_activation(const Activation&);
 
 }  // namespace robochart::csp_emit

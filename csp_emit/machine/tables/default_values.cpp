@@ -11,10 +11,10 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Maximal number of nodes of a value that is written in place.
+/// The maximal number of nodes of a value that is written in place.
 constexpr std::size_t largest_inline = 40;
 
-/// Whether the expression has more nodes than `nodes`, which is decreased by the number of nodes seen.
+/// True if the expression has more than `nodes` nodes. Decreases `nodes` by the number of visited nodes.
 bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
     if (nodes == 0) return true;
     --nodes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The initial values of variables that have none in the model (semantics 3.6).
+// Stores the initial values of variables that have none in the model (semantics 3.6).
 #pragma once
 
 #include <map>
@@ -16,12 +16,12 @@ public:
     explicit DefaultValues(const Project& project) : project_(project) {}
 
     [[nodiscard]] cspm::ExprPtr value_of(ir::TypeId);
-    /// The definitions of the large default values.
+    /// Returns the definitions of the large default values.
     [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
 
 private:
     const Project& project_;
-    std::map<std::uint32_t, cspm::ExprPtr> known_;  ///< by TypeId
+    std::map<std::uint32_t, cspm::ExprPtr> known_;  ///< by TypeId: the value
     std::vector<cspm::DeclPtr> declarations_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hidden events, named in order of use.
+// Chooses the names of hidden events, in the order of their use.
 #include "csp_emit/machine/tables/hidden_events.hpp"
 
 #include "checker/cspm/syntax/build.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hidden events of a machine: its steps, and its transitions without a trigger.
+// Chooses the names of a machine's hidden events: its steps, and its transitions without a trigger.
 #pragma once
 
 #include <map>
@@ -19,14 +19,14 @@ public:
                  Provenance& provenance)
         : context_(context), frames_(frames), cells_(cells), provenance_(provenance) {}
 
-    /// The event `step__.n`. Equal keys get the same n.
+    /// Returns the event `step__.n`. Equal keys get the same n.
     [[nodiscard]] cspm::ExprPtr step_event(const std::string& key, const EventMeaning&);
-    /// `internal__.TID_t`, for a transition without trigger.
+    /// Returns `internal__.TID_t` for a transition without trigger.
     [[nodiscard]] cspm::ExprPtr transition_event(std::uint32_t frame, ir::TransitionId);
 
     /// Declares the datatype of the transitions and the channels of the hidden events.
     void declare_channels(std::vector<cspm::DeclPtr>& decls) const;
-    /// The channels of hidden events that the machine uses.
+    /// Returns the channels of hidden events that the machine uses.
     [[nodiscard]] std::vector<cspm::ExprPtr> declared_channels() const;
 
 private:

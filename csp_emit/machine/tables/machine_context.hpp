@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine and its context, the input of the machine's emission.
+// Defines the input of a machine's emission: the machine and its context.
 #pragma once
 
 #include <algorithm>
@@ -23,20 +23,21 @@ struct MachineContext {
     std::string path;                                  ///< qualified CSPM name, "P::C::stm_ref0"
     std::map<std::string, ir::MachineId> definitions;  ///< operations defined in this context
     NameManager names;                                 ///< names that are in use, not available for parameters and
-                                                       ///< functions
-    /// A clock whose first reset is observed. The machine records whether the clock has been reset. Before the reset it
-    /// offers `unset__` when a guard reads the clock; after the reset it always offers `reset__`.
+                                                       /// < functions A clock whose first reset is observed. The
+                                                       /// machine records whether the clock has been reset. Before the
+                                                       /// reset, it offers `unset__` when a guard reads the clock.
+                                                       /// After the reset, it always offers `reset__`.
     std::string watched = {};
     /// An event whose offers are observed. Before any other step, the machine performs `inside__` if it is in the state
-    /// `within`, and otherwise `outside__`. With these events, priority can detect where the event is refused.
+    /// `within`, and `outside__` otherwise. With these events, priority can detect the states that refuse the event.
     std::string offered = {};
     std::optional<ir::NodeId> within = {};  ///< a state; no value: everywhere except at the end
     /// Facts that the machine shows before any other step (shown.hpp).
     std::vector<ShownFact> shown = {};
 
-    /// Whether the machine differs from others of its kind: a copy for one assertion, or a machine that shows facts.
+    /// True if the machine differs from others of its kind: a copy for one assertion, or a machine that shows facts.
     [[nodiscard]] bool is_special() const { return !offered.empty() || !watched.empty() || !shown.empty(); }
-    /// Whether the machine shows in which states it is.
+    /// True if the machine shows in which states it is.
     [[nodiscard]] bool shows_states() const {
         return within || std::ranges::any_of(shown, [](const ShownFact& fact) { return fact.state.has_value(); });
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All data about a machine during its emission. Each table owns its data and refers only to tables before it. The rules
-// (../rules) read all of them and add entries on first use.
+// Contains all data about a machine during its emission. Each table owns its data and refers only to tables before it.
+// The rules (../rules) read all of them and add entries on first use.
 #pragma once
 
 #include "csp_emit/machine/tables/activation_records.hpp"

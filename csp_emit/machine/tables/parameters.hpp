@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of a machine's functions: the data that its process passes from one configuration to the next.
+// Stores the parameters of a machine's functions: the data that its process passes from one configuration to the next.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct Cell {
     std::string channel;     ///< variable: its name in set_x
     std::string output;      ///< RoboSim: the constructor of registerWrite that writes the variable; "" if none does
     cspm::ExprPtr limit;     ///< clock: its maximal value
-    ir::Origin deadline;     ///< deadline, monitor: the element whose deadline it counts down
+    ir::Origin deadline;     ///< deadline, monitor: the element whose deadline the cell counts down
     /// For a clock of the caller, if the operation is checked separately: the channel that reads it.
     std::string reading;
 };
@@ -45,19 +45,20 @@ public:
 
     /// Adds a cell with a unique name.
     CellId add_cell(Cell cell);
-    /// The cell for value number `number` that a statement keeps during its execution.
+    /// Returns the cell for a value that a statement stores during its execution. `number` distinguishes the
+    /// statement's values.
     CellId of_statement(std::uint32_t frame, const ir::Stmt& stmt, std::size_t number, CellKind kind,
                         const std::string& name);
-    /// The cell that holds the value of a trigger until it is stored.
+    /// Returns the cell that holds the value of a trigger until it is stored.
     CellId of_trigger(std::uint32_t frame, ir::TransitionId);
 
     [[nodiscard]] const Cell& operator[](CellId cell) const { return cells_[cell]; }
-    /// All cells in order of creation.
+    /// Returns all cells in order of creation.
     [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
     [[nodiscard]] std::optional<CellId> find_cell(const std::string& parameter) const;
-    /// The parameter as an expression.
+    /// Returns the parameter as an expression.
     [[nodiscard]] cspm::ExprPtr parameter_name(CellId) const;
-    /// The current value of the cell.
+    /// Returns the current value of the cell.
     [[nodiscard]] cspm::ExprPtr current_value(CellId, const Values&) const;
     /// Converts the values to arguments, with the names of their parameters.
     [[nodiscard]] Arguments to_arguments(const Values&) const;

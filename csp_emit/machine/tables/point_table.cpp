@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps the keys of configurations to points. A point is named after the action or wait that takes place in it.
+// Maps the keys of configurations to points. The name of a point describes the action or wait that takes place in it.
 #include "csp_emit/machine/tables/point_table.hpp"
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace robochart::csp_emit {
 namespace {
 
 constexpr std::size_t max_points = 20'000;
-/// Limit on the arguments of all calls between points. Each argument is a small separate tree; this number of arguments
-/// needs about two gigabytes.
+/// The limit on the arguments of all calls between points. Each argument is a small separate tree, so this number of
+/// arguments needs about two gigabytes.
 constexpr std::size_t max_passed = 4'000'000;
 
 }  // namespace

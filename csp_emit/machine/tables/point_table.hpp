@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of a machine: the reachable configurations, each of which becomes one function.
+// Stores the points of a machine, which are its reachable configurations. Each point becomes one function.
 #pragma once
 
 #include <functional>
@@ -18,16 +18,17 @@ struct Point {
     bool returns = false;  ///< this point is the end of an operation that several calls share
 };
 
-/// Owns the points, numbered in the order in which they are reached. There are limits for the number of points and for
-/// the number of arguments of all calls between points. If a limit is exceeded, this is reported once, and the bodies
-/// of further points are not made.
+/// Owns the points, numbered in the order in which they are reached. The number of points, and the number of arguments
+/// of all calls between points, are limited. If a limit is exceeded, this is reported once, and the bodies of further
+/// points are not made.
 class PointTable {
 public:
     PointTable(MachineContext& context, const ActivationRecords& frames) : context_(context), frames_(frames) {}
 
-    /// The point of a configuration; null if there would be too many points. Valid until the next point is added.
+    /// Returns the point of a configuration, or null if there would be too many points. Valid until the next point is
+    /// added.
     [[nodiscard]] const Point* point_of(const Activation& config);
-    /// The point at which the operation of a frame has ended and returns to its caller.
+    /// Returns the point at which the operation of a frame has ended and returns to its caller.
     [[nodiscard]] const Point& end_of(std::uint32_t frame);
     /// Counts a call of a point with this number of arguments.
     void count_call(std::size_t arguments);
@@ -43,7 +44,7 @@ private:
 
     MachineContext& context_;
     const ActivationRecords& frames_;
-    std::map<std::string, std::size_t> number_;  ///< by key of the configuration
+    std::map<std::string, std::size_t> number_;  ///< the point's number, by the key of the configuration
     std::vector<Point> points_;
     std::size_t passed_ = 0;  ///< number of arguments of all calls
     bool overflow_ = false;

@@ -32,7 +32,7 @@ private:
         return !outline_.boxes_inside(box).empty() || !outline_.events_of(box).empty();
     }
 
-    /// The lines of a label: the title and the rows.
+    /// Returns the lines of a label: the title and the rows.
     [[nodiscard]] std::string text_of(std::size_t box, const char* line_end) const {
         std::string text = diagnostics::label_text(outline_.title_of_box(box));
         for (const std::string& row : outline_.rows_of(box)) text += line_end + diagnostics::label_text(row);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports pictures to Graphviz, which computes its own layout.
+// Exports pictures as text for Graphviz, which computes its own layout.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robochart::diagrams {
 
-/// A directed graph. A box that contains boxes, or has events on its border, becomes a cluster.
+/// Returns the picture as a directed graph. A box that contains boxes, or has events on its border, becomes a cluster.
 [[nodiscard]] std::string render_dot(const Picture& picture);
 
 }  // namespace robochart::diagrams

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports pictures to Mermaid, which many websites render from text.
+// Exports pictures as text for Mermaid, which many websites render.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace robochart::diagrams {
 
-/// Machines and operations become a `stateDiagram-v2`; other diagrams become a `flowchart`. Comments at the top list
-/// the elements for which Mermaid has no notation.
+/// Returns the picture as a `stateDiagram-v2` if it shows a machine or an operation, and as a `flowchart` otherwise.
+/// Comments at the top of the text list the elements for which Mermaid has no notation.
 [[nodiscard]] std::string render_mermaid(const Picture& picture);
 
 }  // namespace robochart::diagrams

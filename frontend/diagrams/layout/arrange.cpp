@@ -22,7 +22,7 @@ struct Part {
     std::vector<std::size_t> boxes, edges;
 };
 
-/// Disjoint sets of boxes; each set is represented by its first box.
+/// Disjoint sets of boxes. The first box represents its set.
 class Partition {
 public:
     explicit Partition(std::size_t boxes) : parent_(boxes) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -58,7 +58,8 @@ Partition partition_of(const Level& level) {
     return partition;
 }
 
-/// Positions from different parts before an edit cannot be compared, so only the positions of the first part are used.
+/// Keeps only the previous positions in the first part before an edit, because positions in different parts cannot be
+/// compared.
 void forget_other_parts(Level& level) {
     std::optional<std::size_t> part;
     for (Box& box : level.boxes) {
@@ -70,7 +71,7 @@ void forget_other_parts(Level& level) {
         if (!level.boxes[edge.from].previous || !level.boxes[edge.to].previous) edge.previous.clear();
 }
 
-/// The parts of a level in the order of their first boxes.
+/// Returns the parts of a level in the order of their first boxes.
 std::vector<Part> parts_of(const Level& level) {
     Partition partition = partition_of(level);
     std::vector<Part> parts;
@@ -127,7 +128,7 @@ bool same_layers(const Level& level, const Graph& one, const Graph& other) {
 }
 
 /// Tries a second choice of reversed edges, and uses it if it is better. Without an edit, the second choice reverses
-/// few edges; it is tried if the first result has crossings. After an edit, it reverses edges of added boxes; it is
+/// few edges, and is tried if the first result has crossings. After an edit, it reverses edges of added boxes, and is
 /// tried if the first result changes the previous order.
 Layered best_layered(const Level& level, bool turned, diagnostics::Budget* budget) {
     Layered found = make_layers(level, turned, Cycles::text, budget);
@@ -176,8 +177,8 @@ void add_part(Placement& whole, const Part& part, const Spot& spot, Placement pl
     whole.size.height = std::max(whole.size.height, y + placed.size.height);
 }
 
-/// The width of the rows. It is the width of the widest part, or the width at which the layout is about 1.5 times as
-/// wide as high, whichever is larger.
+/// Returns the width of the rows. It is the width of the widest part, or the width at which the layout is about 1.5
+/// times as wide as high, whichever is larger.
 double row_width(const std::vector<Placement>& placed) {
     double widest = 0;
     double area = 0;
@@ -223,7 +224,8 @@ public:
     }
 
 private:
-    /// After an edit, the row is the same as before; otherwise a new row begins when the current one is full.
+    /// True if the part begins a new row. After an edit, the rows are the same as before. Otherwise a new row begins
+    /// when the current one is full.
     [[nodiscard]] bool begins_row(const Part& part, const Size& size) const {
         for (const Box& box : part.level.boxes)
             if (box.previous) return box.previous->row != row_;
@@ -254,12 +256,13 @@ Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool tu
     return whole;
 }
 
-/// The size of a page with aspect ratio 3:2 that contains the layout.
+/// Returns the size of a page with aspect ratio 3:2 that contains the layout.
 double page_extent(const Size& size) {
     return std::max(size.width / 1.5, size.height);
 }
 
-/// A loop is drawn at the right side of its box, where edges that lead to the right begin.
+/// True if the level has loops. A loop is drawn at the right side of its box, where the edges of a layout to the right
+/// begin.
 bool has_loops(const Level& level) {
     return std::ranges::any_of(level.edges, [](const Edge& edge) { return edge.from == edge.to && !edge.from_port; });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layered layout of a level (Sugiyama, Tagawa, Toda: Methods for visual understanding of hierarchical system
-// structures, 1981). docs/diagrams.md describes the steps.
+// Computes the layered layout of a level (Sugiyama, Tagawa, Toda: Methods for visual understanding of hierarchical
+// system structures, 1981). docs/diagrams.md describes the steps.
 #pragma once
 
 #include <stdexcept>
@@ -10,13 +10,13 @@
 
 namespace robochart::diagrams::layout {
 
-/// A level is too large to be laid out with reasonable time and memory.
+/// Thrown if a level is too large to be laid out with reasonable time and memory.
 class TooLarge : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Deterministic: equal levels give bitwise equal placements. Throws TooLarge.
+/// Computes the layout. Equal levels get bitwise equal placements. Throws TooLarge.
 [[nodiscard]] Placement arrange_level(const Level& level, diagnostics::Budget* budget = nullptr);
 
 }  // namespace robochart::diagrams::layout

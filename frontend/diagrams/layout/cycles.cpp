@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides which edges are drawn against their direction. By default, these are the back edges of a depth-first search
-// from the entries, with targets in textual order. After an edit, edges that led upwards before are reversed first.
-// `kept` also reverses edges that join added boxes, so that the other boxes can keep their places. `few` reverses few
-// edges (P. Eades, X. Lin, W. Smyth: A fast and effective heuristic for the feedback arc set problem, 1993).
+// from the entries, with targets in textual order. After an edit, edges that led upwards before are reversed first. The
+// method `kept` also reverses edges of added boxes, so that the other boxes can keep their places. The method `few`
+// reverses few edges (P. Eades, X. Lin, W. Smyth: A fast and effective heuristic for the feedback arc set problem,
+// 1993).
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -30,7 +31,7 @@ bool pinned_upwards(const Level& level, const Edge& edge) {
     return level.boxes[edge.to].pin == Pin::first || level.boxes[edge.from].pin == Pin::last;
 }
 
-/// An iterative depth-first search, because a path may be as long as the number of boxes.
+/// A depth-first search. It is iterative, because a path may be as long as the number of boxes.
 class DepthFirst {
 public:
     explicit DepthFirst(Graph& graph) : graph_(graph), out_(graph.level->boxes.size()), state_(out_.size()) {
@@ -77,8 +78,8 @@ private:
 };
 
 /// An order of the boxes with few backward edges. Boxes without incoming edges come first, boxes without outgoing edges
-/// last. If there is no such box, the box with the largest surplus of outgoing edges comes next; ties are broken by
-/// textual order.
+/// last. If there is no such box, the box with the largest surplus of outgoing edges comes next. Textual order breaks
+/// ties.
 class GreedyOrder {
 public:
     explicit GreedyOrder(const Graph& graph)
@@ -96,7 +97,7 @@ public:
         }
     }
 
-    /// The position of each box.
+    /// Returns the position of each box.
     std::vector<std::size_t> compute_positions() {
         std::size_t first = 0;
         std::size_t behind = near_.size();

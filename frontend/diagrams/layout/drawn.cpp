@@ -16,10 +16,10 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-constexpr double inset = 5;  ///< between the border of a level and its contents
+constexpr double inset = 5;  ///< distance between the border of a level and its contents
 constexpr double apart = 8;  ///< distance between boxes that were drawn closer to each other, or that have grown
 
-/// The point in the middle of a line.
+/// Returns the point in the middle of a line.
 Point middle_of(const std::vector<Point>& line) {
     const auto length = [&](std::size_t i) { return std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y); };
     double rest = 0;
@@ -35,7 +35,7 @@ Point middle_of(const std::vector<Point>& line) {
     return line.back();
 }
 
-/// Adds places for a label along the segments of a line.
+/// Adds places for a label next to a segment of a line.
 void add_places_beside(const Point& a, const Point& b, const Size& label, std::vector<Rectangle>& places) {
     for (const double part : {0.5, 0.3, 0.7, 0.15, 0.85}) {
         const Point at{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
@@ -94,7 +94,7 @@ public:
     DrawnArrangement(const Level& level, const DrawnLevel& drawn, diagnostics::Budget* budget)
         : level_(level), drawn_(drawn), budget_(budget) {}
 
-    /// The placement moved by a vector; the level is at least of size `least`.
+    /// Returns the placement moved by a vector. The size of the level is at least `least`.
     Placement place_level(const Point& by, const Size& least) {
         placement_ = {};
         placement_.boxes.resize(level_.boxes.size());
@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    /// The width and height that a box must gain compared with the drawing.
+    /// Returns the width and height that a box must gain compared with the drawing.
     [[nodiscard]] Size growth_of(std::size_t b) const {
         if (!drawn_.boxes[b] || level_.boxes[b].round) return {};
         const DrawnBox& drawn = *drawn_.boxes[b];
@@ -120,7 +120,8 @@ private:
                 drawn.height ? std::max(0.0, least.height - *drawn.height) : 0};
     }
 
-    /// The distances by which the boxes move right and down, because boxes to their left or above them have grown.
+    /// Returns the distances by which the boxes move right and down, because boxes to their left or above them have
+    /// grown.
     [[nodiscard]] std::vector<Point> compute_shifts() const {
         std::vector<Point> result(level_.boxes.size());
         push_apart(result, &Point::x, &Size::width, &DrawnBox::width);
@@ -183,7 +184,7 @@ private:
         }
     }
 
-    /// Moves a box away from the first box that is too near; returns false if there is none. A box that has moved past
+    /// Moves a box away from the first box that is too near. Returns false if there is none. A box that has moved past
     /// another box never moves back to it.
     [[nodiscard]] bool make_space(std::span<const std::size_t> others, Rectangle& place) const {
         constexpr double rounding = 0.001;
@@ -206,7 +207,7 @@ private:
         placement_.size.height = std::max(placement_.size.height, place.bottom() + inset);
     }
 
-    /// Boxes that are not in the drawing are laid out separately and placed below the others.
+    /// Lays out the boxes that are not in the drawing separately, and places them below the others.
     void place_new_boxes(const Point& by) {
         Level fresh;
         fresh.direction = level_.direction;
@@ -327,7 +328,7 @@ private:
         }
     }
 
-    /// Labels of edges come first, because squares have more possible places for their labels.
+    /// Places the labels. Labels of edges come first, because squares have more possible places for their labels.
     void write_labels() {
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) add_box(b);
         const Rectangle header{0, -drawn_.header, placement_.size.width, drawn_.header};
@@ -342,7 +343,7 @@ private:
         }
     }
 
-    /// The label of a square may be inside a box that has free space.
+    /// Adds a box as an obstacle. The label of a square may be inside a box that has free space.
     void add_box(std::size_t b) {
         const PlacedBox& box = placement_.boxes[b];
         for (const PlacedPort& port : box.ports) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level as a person drew it, as data: positions of boxes and squares, ends and bends of edges. Elements that are not
-// in the drawing have no value.
+// Represents a level as a person drew it: positions of boxes and squares, ends and bends of edges. Elements that are
+// not in the drawing have no value.
 #pragma once
 
 #include <cstddef>

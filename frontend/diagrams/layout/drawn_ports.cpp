@@ -13,7 +13,8 @@ namespace {
 
 constexpr double half_port = port_size / 2;
 
-/// The side of a box that is nearest to a point. For a point outside the box, the side that the point is beyond.
+/// Returns the side of a box that is nearest to a point. If the point is outside the box, this is a side beyond which
+/// the point is.
 Side side_of(const Point& place, const Size& size) {
     const std::array<double, 4> inside{place.x, size.width - place.x, place.y, size.height - place.y};
     const auto nearest = std::ranges::min_element(inside);
@@ -25,7 +26,7 @@ double on_side(double place, double length) {
     return std::clamp(place, margin, length - margin);
 }
 
-/// The centre of a square on a side of a box.
+/// Returns the centre of a square on a side of a box.
 Point port_centre(const Rectangle& box, Side side, double along) {
     switch (side) {
         case Side::left:
@@ -40,7 +41,7 @@ Point port_centre(const Rectangle& box, Side side, double along) {
     return {};
 }
 
-/// A square that would cover the title moves outwards.
+/// Moves a square outwards if it would cover the title.
 Point beside_title(const Point& centre, Side side, const Rectangle& title) {
     constexpr double gap = 1;
     if (title.empty() || !rectangles_overlap(square_at(centre), title)) return centre;
@@ -67,7 +68,7 @@ Point place_port(const Rectangle& box, double header, const DrawnPorts& drawn, c
     return beside_title(port_centre(box, side, upright ? centre.y + moved : centre.x), side, title);
 }
 
-/// The next free place on the right side, from a given y; the last place if the side is full.
+/// Returns the next free place on the right side, from a given y downwards, or the last place if the side is full.
 Point free_port(const Rectangle& box, double& from, const std::vector<PlacedPort>& ports) {
     Point centre{box.right(), from};
     const auto taken = [&](const PlacedPort& port) {
@@ -80,7 +81,7 @@ Point free_port(const Rectangle& box, double& from, const std::vector<PlacedPort
     return centre;
 }
 
-/// Possible places for the label of a square; those on the side of the drawn label come first.
+/// Returns the possible places for the label of a square. Those on the side of the drawn label come first.
 std::vector<Rectangle> label_places(const Point& centre, const Size& label, Side first) {
     constexpr double gap = 4;
     const double left = centre.x - half_port - gap - label.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Squares on the borders of boxes whose positions a person has drawn, and the labels of the squares.
+// Places the squares on the borders of boxes that a person has drawn, and the labels of the squares.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace robochart::diagrams::layout {
 
-/// The square of a port as a rectangle.
+/// Returns the square of a port as a rectangle.
 [[nodiscard]] Rectangle square_at(const Point& centre);
-/// The squares of a box, without labels (see `ports_as_drawn`).
+/// Returns the squares of a box, without labels (see `ports_as_drawn`).
 [[nodiscard]] std::vector<PlacedPort> squares_of(const Rectangle& box, double header, const DrawnPorts& drawn);
 /// Places the labels of the squares in free space.
 void label_ports(std::vector<PlacedPort>& ports, const DrawnPorts& drawn, FreeSpace& space);
 
-/// Squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their side; other
-/// squares are placed on the right side where there is space. A square that would cover the title is placed farther
-/// outside. `header` is the height of the part of the box above its inside.
+/// Returns the squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their
+/// side. Other squares are placed in free space on the right side. A square that would cover the title is placed
+/// farther outside. `header` is the height of the part of the box above its inside.
 [[nodiscard]] std::vector<PlacedPort> ports_as_drawn(const Rectangle& box, double header, const DrawnPorts& drawn);
 
 }  // namespace robochart::diagrams::layout

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See drawn_routes.hpp. An orthogonal route is a list of alternating horizontal and vertical segments, each stored as
-// its y or x. So every list of numbers is an orthogonal route that ends at the borders of its boxes.
+// See drawn_routes.hpp. An orthogonal route is stored as a list of numbers: the y of its horizontal and the x of its
+// vertical segments, in turn. Every list of numbers is an orthogonal route that ends at the borders of its boxes.
 #include "frontend/diagrams/layout/drawn_routes.hpp"
 
 #include <algorithm>
@@ -30,12 +30,12 @@ Range overlap_of(const Range& a, const Range& b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-/// The range of a box in the direction of a segment.
+/// Returns the range of a box in the direction of a segment.
 Range extent_along(const RouteEnd& end, bool horizontal) {
     return horizontal ? Range{end.place.x, end.place.right()} : Range{end.place.y, end.place.bottom()};
 }
 
-/// The range in which a segment may end at a box, without the corners.
+/// Returns the range in which a segment may end at a box, without the corners.
 Range slot_range(const RouteEnd& end, bool horizontal) {
     const Range side = extent_along(end, !horizontal);
     const double half = (side.high - side.low) / 2;
@@ -49,15 +49,15 @@ double clamp_to_range(double value, const Range& range) {
     return std::clamp(value, range.low, range.high);
 }
 
-/// Removes the segments at the beginning of a route that are inside its box, and moves the first remaining one to an
-/// allowed end.
+/// Removes the segments at the beginning of a route that are inside its box. Moves the first remaining segment into the
+/// range in which it may end.
 void begin_at(std::vector<DrawnPiece>& pieces, const RouteEnd& end) {
     while (pieces.size() > 1 && extent_along(end, pieces[0].horizontal).contains(pieces[1].at))
         pieces.erase(pieces.begin());
     pieces.front().at = clamp_to_range(pieces.front().at, slot_range(end, pieces.front().horizontal));
 }
 
-/// The range of a box along a segment that ends at it.
+/// Returns the range of a box along a segment that ends at it.
 Range covered_by(const RouteEnd& end, const DrawnPiece& piece) {
     const Range extent = extent_along(end, piece.horizontal);
     if (end.shape != RouteEnd::Shape::circle) return extent;
@@ -67,7 +67,7 @@ Range covered_by(const RouteEnd& end, const DrawnPiece& piece) {
     return {extent.middle() - half, extent.middle() + half};
 }
 
-/// The side of a box that a coordinate is beyond; no value if it is between the sides.
+/// Returns the coordinate of the side of a box beyond which `place` is, or no value if it is between the sides.
 std::optional<double> side_towards(const Range& extent, double place) {
     if (place >= extent.high) return extent.high;
     if (place <= extent.low) return extent.low;
@@ -78,7 +78,7 @@ Point point_at(const DrawnPiece& piece, double along) {
     return piece.horizontal ? Point{along, piece.at} : Point{piece.at, along};
 }
 
-/// A route of one segment.
+/// Returns a route of one segment.
 std::vector<Point> straight_route(const DrawnPiece& piece, const RouteEnd& from, const RouteEnd& to) {
     const Range range = overlap_of(slot_range(from, piece.horizontal), slot_range(to, piece.horizontal));
     if (range.empty()) return {};
@@ -109,7 +109,7 @@ std::vector<Point> remove_straight_points(const std::vector<Point>& points) {
     return result;
 }
 
-/// The points of a route; empty if it does not lead from one box to the other.
+/// Returns the points of a route, or an empty result if it does not lead from one box to the other.
 std::vector<Point> points_of(std::vector<DrawnPiece> pieces, const RouteEnd& from, const RouteEnd& to) {
     if (pieces.empty()) return {};
     begin_at(pieces, from);
@@ -126,12 +126,12 @@ std::vector<Point> points_of(std::vector<DrawnPiece> pieces, const RouteEnd& fro
     return remove_straight_points(points);
 }
 
-/// Appends a segment; consecutive segments of one direction are merged.
+/// Appends a segment. Consecutive segments of one direction are merged.
 void add_piece(std::vector<DrawnPiece>& pieces, const DrawnPiece& piece) {
     if (pieces.empty() || pieces.back().horizontal != piece.horizontal) pieces.push_back(piece);
 }
 
-/// True if a line between two points leaves the box at the first point to the left or right.
+/// True if a line from the first to the second point leaves the box to the left or right.
 bool leaves_sideways(const RouteEnd& end, const Point& at, const Point& other) {
     const Rectangle& box = end.place;
     const double x = std::abs(at.x - box.centre().x) * box.height;
@@ -140,7 +140,7 @@ bool leaves_sideways(const RouteEnd& end, const Point& at, const Point& other) {
     return std::abs(other.x - at.x) > std::abs(other.y - at.y);
 }
 
-/// The positions of the bends between the boxes at their current places.
+/// Returns the positions of the bends between the boxes at their current places.
 std::vector<Point> bends_of(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to) {
     const auto anchor = [](const Rectangle& box, const Point& share) {
         return Point{box.x + share.x * box.width, box.y + share.y * box.height};
@@ -166,7 +166,7 @@ bool is_askew(const DrawnEdge& edge, std::size_t bend) {
     return std::abs(a.x - b.x) > straight_enough && std::abs(a.y - b.y) > straight_enough;
 }
 
-/// The segments of a drawn route; a diagonal segment becomes a corner.
+/// Returns the segments of a drawn route. A diagonal segment becomes a corner.
 std::vector<DrawnPiece> pieces_of(const DrawnEdge& edge, const std::vector<Point>& points, const RouteEnd& from,
                                   const RouteEnd& to) {
     std::vector<DrawnPiece> pieces;
@@ -197,7 +197,7 @@ std::vector<DrawnPiece> pieces_of(const DrawnEdge& edge, const std::vector<Point
     return pieces;
 }
 
-/// The point at which a straight line from the inside of a rectangle leaves it.
+/// Returns the point at which a straight line from the inside of a rectangle leaves it.
 Point exit_of(const Rectangle& box, const Point& inside, const Point& outside) {
     double part = 1;
     const auto see = [&](double start, double change, double low, double high) {
@@ -243,14 +243,14 @@ std::vector<Point> make_oblique(std::vector<Point> points, const RouteEnd& from,
     return points;
 }
 
-/// Possible positions of an end on a side, the middle first.
+/// Returns possible positions of an end on a side. The middle comes first.
 std::vector<double> positions_to_try(const Range& range) {
     const double step = (range.high - range.low) / 4;
     if (step < 3) return {range.middle()};
     return {range.middle(), range.low + step, range.high - step, range.low, range.high};
 }
 
-/// Possible positions of the middle segment of three.
+/// Returns possible positions of the middle one of three segments.
 std::vector<double> middle_positions(const Range& a, const Range& b) {
     std::vector<double> places;
     if (a.high < b.low || b.high < a.low) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Routes of edges between boxes whose positions a person has drawn.
+// Computes the routes of edges between boxes that a person has drawn.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@ struct RouteEnd {
     Shape shape = Shape::box;
 };
 
-/// The drawn route from border to border. It is empty if the drawing has no route or the route no longer fits the
-/// boxes. It is also empty if the drawing has only a diagonal line but the route must be orthogonal.
+/// Returns the drawn route from border to border. It is empty if the drawing has no route or the route no longer fits
+/// the boxes. It is also empty if the drawing has only a diagonal line but the route must be orthogonal.
 [[nodiscard]] std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to);
 
-/// An orthogonal route that avoids existing elements.
+/// Returns an orthogonal route that avoids existing elements.
 [[nodiscard]] std::vector<Point> new_route(const RouteEnd& from, const RouteEnd& to, const FreeSpace& space);
 
 }  // namespace robochart::diagrams::layout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The widths of the characters of DejaVu Sans, the preferred font of diagrams.
+// Lists the widths of the characters of DejaVu Sans, the preferred font of diagrams.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct WidthRange {
     const std::uint16_t* bold;
 };
 
-/// The ranges in ascending order. A character outside all ranges is assumed to be one em wide.
+/// Returns the ranges in ascending order. A character outside all ranges is assumed to be one em wide.
 [[nodiscard]] std::span<const WidthRange> width_ranges();
 
 }  // namespace robochart::diagrams::layout

@@ -8,12 +8,12 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// The length of the intersection of two ranges.
+/// Returns the length of the intersection of two ranges.
 double overlap_length(double a_low, double a_high, double b_low, double b_high) {
     return std::max(0.0, std::min(a_high, b_high) - std::max(a_low, b_low));
 }
 
-/// The length of the part of a straight line that is inside a rectangle, by clipping (Liang and Barsky, 1984).
+/// Returns the length of the part of a straight line that is inside a rectangle, by clipping (Liang and Barsky, 1984).
 double length_within(const Point& from, const Point& to, const Rectangle& it) {
     double first = 0;
     double last = 1;

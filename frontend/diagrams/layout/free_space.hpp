@@ -18,14 +18,14 @@ public:
     /// Adds the border of a rectangle without its inside.
     void add_border(const Rectangle& it);
 
-    /// The occupied area of the rectangle; 0 if it is free.
+    /// Returns the occupied area of the rectangle, or 0 if it is free.
     [[nodiscard]] double occupied_area(const Rectangle& it) const;
-    /// The first free place; if there is none, the least occupied one. There must be at least one place.
+    /// Returns the first free place or, if all are occupied, the least occupied place. `places` must not be empty.
     [[nodiscard]] Rectangle choose_place(std::span<const Rectangle> places) const;
     /// True if the line crosses one of the rectangles.
     [[nodiscard]] bool is_crossed(std::span<const Point> line) const;
-    /// The cost of a line of horizontal and vertical segments. Crossed boxes cost most; then lines that it crosses or
-    /// overlaps, its bends and its length.
+    /// Returns the cost of a line of horizontal and vertical segments. Crossed boxes cost most. Crossed or overlapping
+    /// lines, bends, and the length of the line cost less.
     [[nodiscard]] double route_cost(std::span<const Point> line) const;
 
 private:

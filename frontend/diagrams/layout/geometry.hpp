@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points, sizes and rectangles, in pixels; y grows downwards.
+// Defines points, sizes and rectangles in pixels. The y axis points downwards.
 #pragma once
 
 namespace robochart::diagrams::layout {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layered graph on which the steps of the layout work. Layers are stacked from top to bottom. For a layout to the
-// right, boxes and labels are transposed before and transposed back after.
+// Defines the layered graph on which the steps of the layout work. Layers are stacked from top to bottom. For a layout
+// to the right, boxes and labels are transposed first, and the result is transposed back.
 //
-// Even layers contain boxes, odd layers labels. An edge has a node in each layer between its ends, so that every link
-// joins adjacent layers. The only exceptions are turns. A turn is a link of an edge that leaves a port on the side away
-// from the edge's other end.
+// Even layers contain boxes, and odd layers contain labels. An edge has a node in each layer between its ends, so that
+// every link joins adjacent layers. The only exceptions are turns. A turn is a link of an edge that leaves a port on
+// the side away from the edge's other end.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,12 @@ inline constexpr std::size_t nothing = static_cast<std::size_t>(-1);
 struct Node {
     enum class Kind { box, line, label };
     Kind kind = Kind::line;
-    std::size_t box = nothing;  ///< index in the level
+    std::size_t box = nothing;  ///< index of the box in the level
     std::size_t edge = nothing;
     std::size_t layer = 0;
-    std::size_t position = 0;                 ///< index in its layer
+    std::size_t position = 0;                 ///< index of the node in its layer
     double before = 0, after = 0;             ///< extent on both sides of `x`
-    double above = 0, below = 0;              ///< extent on both sides of the middle of its layer
+    double above = 0, below = 0;              ///< extent on both sides of the middle of the node's layer
     double loops = 0;                         ///< the part of `after` needed by the loops at the box
     double ports_above = 0, ports_below = 0;  ///< the parts of `above` and `below` needed by ports
     double x = 0;                             ///< x of the line, or of the middle of the box
@@ -45,8 +45,8 @@ struct Link {
     std::size_t upper_port = nothing, lower_port = nothing;  ///< index in the box of that node
     double upper_x = 0, lower_x = 0;
     double upper_offset = 0, lower_offset = 0;  ///< distances of the ends from the middles of their boxes, if known
-    /// The tracks of the link: the y of each track, and the x at which the link continues to the next track. The last
-    /// track continues to `lower_x`.
+    /// A track of the link: its y, and the x at which the link continues to the next track. The last track continues to
+    /// `lower_x`.
     struct Track {
         double y = 0, x = 0;
     };
@@ -59,7 +59,7 @@ struct GraphPort {
     double x = 0;
 };
 
-/// All nodes and links.
+/// The graph of one level.
 struct Graph {
     const Level* level = nullptr;
     bool turned = false;  ///< transposed, for a layout to the right
@@ -67,7 +67,7 @@ struct Graph {
     std::vector<Node> nodes;  ///< the boxes first, in their order
     std::vector<Link> links;
     std::vector<std::vector<std::size_t>> layers;  ///< nodes from left to right
-    std::vector<std::size_t> layer_of_box;         ///< before label layers are inserted
+    std::vector<std::size_t> layer_of_box;         ///< the layer of each box, before label layers are inserted
     std::vector<bool> reversed;                    ///< edges drawn against their direction
     std::vector<std::vector<std::size_t>> chains;  ///< the links of each edge, from the upper end to the lower one
     std::vector<std::vector<GraphPort>> ports;     ///< the ports of each box
@@ -80,17 +80,17 @@ struct Graph {
     }
 };
 
-/// The method that selects the edges of cycles that are drawn against their direction.
+/// The method that selects the edges to be drawn against their direction, so that no cycle remains.
 enum class Cycles {
     text,  ///< back edges of a depth-first search in textual order
     few,   ///< few edges, by the greedy heuristic of Eades, Lin and Smyth
-    kept,  ///< as `text`; also reverses edges between added boxes and boxes that existed before
+    kept,  ///< as `text`, but also edges between added boxes and boxes that existed before
 };
 /// Selects the edges that are drawn against their direction, so that the remaining edges have no cycle.
 void break_cycles(Graph& graph, Cycles cycles);
 /// Assigns a layer to each box, so that all edges lead downwards.
 void assign_layers(Graph& graph);
-/// Makes the nodes and links of all edges, and selects the sides of ports. Throws TooLarge.
+/// Makes the nodes and links of all edges, and chooses the sides of ports. Throws TooLarge.
 void make_nodes(Graph& graph);
 /// The result of ordering the layers.
 struct Ordered {
@@ -130,7 +130,7 @@ inline double Graph::label_gap() const {
 inline constexpr double loop_reach = 18;   ///< horizontal extent of a loop
 inline constexpr double loop_margin = 10;  ///< above the first and below the last
 inline constexpr double loop_gap = 6;      ///< between two loops
-/// The height of a loop with its label.
+/// Returns the height of a loop with its label.
 [[nodiscard]] inline double loop_height(const Size& label) {
     constexpr double least = 14;
     return label.height > least ? label.height : least;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Assigns layers. Each box is placed as high as the boxes above it allow (longest path). Then each box moves to the
-// layer in which its edges are shortest. This moves boxes with more successors than predecessors down.
+// layer in which its edges are shortest, so boxes with more successors than predecessors move down.
 #include <algorithm>
 #include <numeric>
 
@@ -30,7 +30,7 @@ Neighbours find_neighbours(const Graph& graph) {
     return result;
 }
 
-/// An order in which every box comes after the boxes above it.
+/// Returns an order in which every box comes after the boxes above it.
 std::vector<std::size_t> topological_order(const Neighbours& near) {
     std::vector<std::size_t> waiting(near.up.size());
     std::vector<std::size_t> order;
@@ -42,8 +42,8 @@ std::vector<std::size_t> topological_order(const Neighbours& near) {
     return order;
 }
 
-/// The first layer in which a box may be, apart from the constraints of its neighbours: after pinned boxes, and not
-/// above its layer before an edit.
+/// Returns the first layer in which a box may be, without regard to its neighbours: after boxes pinned to the first
+/// layer, and not above its own layer before an edit.
 std::size_t first_layer(const Level& level, std::size_t box, bool some_first) {
     const Box& it = level.boxes[box];
     const std::size_t lowest = some_first && it.pin != Pin::first ? 1 : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One level of a diagram as the input of a layout (boxes with sizes, edges with labels), and the resulting placement.
-// Inner levels are laid out first, each separately; the size of a box includes its contents.
+// Defines the input of a layout, which is one level of a diagram (boxes with sizes, edges with labels), and the
+// resulting placement. Inner levels are laid out first, each separately. The size of a box includes its contents.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct Rank {
     friend bool operator==(const Rank&, const Rank&) = default;
 };
 
-/// A square on the left or right border of a box, at which edges end. A level with ports is laid out to the right.
+/// A square on the left or right border of a box. Edges may end at it. A level with ports is laid out to the right.
 struct Port {
     double label_width = 0;  ///< the width of the text next to the square, inside the box
 };
@@ -38,7 +38,7 @@ struct Box {
     bool on_border = false;  ///< true if the box is only a port on the border of the enclosing box
     std::vector<Port> ports;
     double port_start = 0;         ///< ports are below this distance from the top
-    std::optional<Rank> previous;  ///< in the layout before an edit
+    std::optional<Rank> previous;  ///< its position in the layout before an edit
 };
 
 /// An edge from a box to a box, which may be the same.
@@ -49,7 +49,7 @@ struct Edge {
     std::vector<std::size_t> previous;              ///< `PlacedEdge::ranks` in the layout before an edit
 };
 
-/// Boxes and edges are in textual order, which breaks ties in the layout.
+/// The input of a layout. Boxes and edges are in textual order, which breaks ties.
 struct Level {
     std::vector<Box> boxes;
     std::vector<Edge> edges;
@@ -82,7 +82,7 @@ struct PlacedEdge {
     std::vector<std::size_t> ranks;  ///< its index in each layer that it passes, first layer first
 };
 
-/// The layout of a level; everything is between (0, 0) and `size`.
+/// The layout of a level. Everything is between (0, 0) and `size`.
 struct Placement {
     Size size;
     std::vector<PlacedBox> boxes;

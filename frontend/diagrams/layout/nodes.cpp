@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the nodes and links of all edges. An edge passes every layer between its ends; its label is in the odd layer
+// Makes the nodes and links of all edges. An edge passes every layer between its ends. Its label is in the odd layer
 // nearest to the middle. An edge that ends at a port on the side away from its other end turns next to the box.
 #include <algorithm>
 #include <utility>
@@ -49,7 +49,8 @@ private:
         graph_.layers.resize(last + 1);
     }
 
-    /// A port is on the side to which more of its edges lead. A port without edges is on the side with fewer ports.
+    /// Chooses the side of each port: the side to which more of its edges lead or, for a port without edges, the side
+    /// with fewer ports.
     void decide_sides() {
         std::vector<std::vector<int>> towards(level_.boxes.size());
         for (std::size_t b = 0; b < level_.boxes.size(); ++b) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Orders the nodes of each layer. Sweeps sort each layer by the mean position of the neighbours in the adjacent layer
-// (barycentres), and adjacent nodes are exchanged. This is done from several initial orders, and the result with the
-// fewest crossings is used; of equal results, the first. The first initial order is that of the text (Domroes, von
-// Hanxleden: Preserving order during crossing minimization in Sugiyama layouts, 2022), or the order before an edit.
+// (barycentres), and adjacent nodes are exchanged. Several initial orders are tried. The first result with the fewest
+// crossings is used. The first initial order is that of the text (Domroes, von Hanxleden: Preserving order during
+// crossing minimization in Sugiyama layouts, 2022), or the order before an edit.
 #include <algorithm>
 #include <cstdint>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Layers = std::vector<std::vector<std::size_t>>;
 
-/// The number of attempts; large graphs get fewer.
+/// The number of attempts, which is smaller for large graphs.
 struct Effort {
     std::size_t starts = 40, sweeps = 16, exchanges = 8;
 };
@@ -78,8 +78,8 @@ private:
         number_positions();
     }
 
-    /// Restores the order before an edit and inserts new nodes where they cause the fewest crossings. Returns false if
-    /// there was no previous order.
+    /// Restores the order before an edit, and inserts new nodes at the positions with the fewest crossings. Returns
+    /// false if there was no previous order.
     bool keep_order() {
         std::vector<std::size_t> places(nodes_.size(), nothing);
         bool known = false;
@@ -148,7 +148,7 @@ private:
         sort_layers(keys);
     }
 
-    /// Keys from the textual order of boxes; passing edges get keys from their ends.
+    /// Returns keys from the textual order of boxes. Edges that pass a layer get keys from their ends.
     [[nodiscard]] std::vector<double> text_keys() const {
         const Level& level = *graph_.level;
         std::vector<double> keys(nodes_.size());
@@ -161,7 +161,7 @@ private:
         return keys;
     }
 
-    /// The order in which a depth-first search visits the nodes.
+    /// Returns the order in which a depth-first search visits the nodes.
     [[nodiscard]] std::vector<double> depth_keys() const {
         std::vector<double> keys(nodes_.size(), -1);
         double next = 0;
@@ -216,7 +216,7 @@ private:
         number_positions(layer);
     }
 
-    /// The number of crossings, on one side, between the edges of two nodes if `a` is left of `b`.
+    /// Returns the number of crossings, on one side, between the edges of two nodes if `a` is left of `b`.
     [[nodiscard]] std::size_t crossings_of(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) const {
         std::size_t count = 0;
         for (const std::size_t x : a)
@@ -252,8 +252,8 @@ private:
         return count;
     }
 
-    /// The number of pairs of links in different order at both ends, counted with a tree of sums (Barth, Mutzel,
-    /// Juenger: Simple and efficient bilayer cross counting, 2004).
+    /// Returns the number of pairs of links in different order at both ends, counted with a tree of sums (Barth,
+    /// Mutzel, Juenger: Simple and efficient bilayer cross counting, 2004).
     [[nodiscard]] std::size_t crossings_below(std::size_t upper) const {
         std::vector<std::size_t> sums(graph_.layers[upper + 1].size() + 1);
         std::size_t seen = 0;

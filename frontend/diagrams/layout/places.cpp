@@ -16,8 +16,8 @@ namespace {
 
 constexpr double far = 1e9;
 
-/// The nearest whole number. Halves are rounded up on both sides of zero, so that a shift by a whole number does not
-/// change distances.
+/// Returns the nearest whole number. Halves are rounded up on both sides of zero, so that a shift by a whole number
+/// does not change distances.
 double round_half_up(double x) {
     return std::floor(x + 0.5);
 }
@@ -40,12 +40,12 @@ double distance_between(const Graph& graph, const Node& left, const Node& right)
     return graph.has_ports ? distance::lines : distance::box_line;
 }
 
-/// The minimum distance between the x of two adjacent nodes of a layer.
+/// Returns the minimum distance between the x of two adjacent nodes of a layer.
 double minimum_separation(const Graph& graph, const Node& left, const Node& right) {
     return left.after + right.before + distance_between(graph, left, right);
 }
 
-/// The interval of the edge ends on one side of a box.
+/// Returns the interval of the edge ends on one side of a box.
 Interval side_of(const Graph& graph, const Node& node, std::size_t ends) {
     const Box& box = graph.level->boxes[node.box];
     if (box.round) {
@@ -160,7 +160,7 @@ private:
         return node.is_box() || other.is_box() ? 3 : 40;
     }
 
-    /// The mean position of the neighbours; a node between two lines follows those lines.
+    /// Returns the mean position of the neighbours. A node between two lines follows these lines.
     [[nodiscard]] Wish wish_for(const Node& node, bool above, bool below) const {
         double sum = 0;
         double weight = 0;
@@ -181,7 +181,7 @@ private:
         return weight > 0 ? Wish{sum / weight, weight, 0} : Wish{node.x, 0.05, 0};
     }
 
-    /// The interval in which a node may move while its neighbours stay.
+    /// Returns the interval in which a node may move while its neighbours stay.
     [[nodiscard]] Interval free_around(std::size_t n) const {
         const Node& node = nodes_[n];
         const auto& layer = graph_.layers[node.layer];
@@ -197,7 +197,7 @@ private:
         return result;
     }
 
-    /// The nodes that an edge passes, without the boxes at its ends.
+    /// Returns the nodes that an edge passes, without the boxes at its ends.
     [[nodiscard]] std::vector<std::size_t> nodes_passed_by(std::size_t edge) const {
         std::vector<std::size_t> result;
         for (const std::size_t l : graph_.chains[edge])
@@ -216,7 +216,7 @@ private:
         }
     }
 
-    /// Moves the nodes to one x, or to few if no common one exists; if possible, above both ends.
+    /// Moves the nodes to one x that is above both ends if possible. If there is no common x, uses as few as possible.
     void straighten_chain(const std::vector<std::size_t>& chain, const Interval& upper, const Interval& lower) {
         for (std::size_t begin = 0; begin < chain.size();) {
             Interval free = free_around(chain[begin]);
@@ -236,7 +236,7 @@ private:
         }
     }
 
-    /// Rounds to whole pixels, so that straight lines are exactly straight.
+    /// Rounds positions to whole pixels, so that straight lines are exactly straight.
     void round_all() {
         for (Node& node : nodes_) node.x = round_half_up(node.x);
     }
@@ -279,7 +279,7 @@ private:
         }
     }
 
-    /// The end of a link at a box. For a turn from a box to itself, this is the end at the port.
+    /// Returns the end of a link at a box. For a turn from a box to itself, this is the end at the port.
     double& end_of(std::size_t l, std::size_t b, std::size_t port, bool down) {
         Link& link = graph_.links[l];
         if (link.upper == link.lower) return link.upper_port == port ? link.upper_x : link.lower_x;
@@ -309,7 +309,7 @@ private:
     }
 
     /// Computes the wanted position and the order of an end at a side of a box. The order is that of the nodes to which
-    /// the links lead; turns to the left come first, and turns to the right last.
+    /// the links lead. Turns to the left come first, and turns to the right come last.
     void wish_of(std::size_t b, Slot& slot, bool down) const {
         const Node& node = nodes_[b];
         slot.target = slot.links.empty() ? node.x : 0;
@@ -377,7 +377,7 @@ private:
         if (graph_.level->boxes[nodes_[node].box].on_border) nodes_[node].x = x;
     }
 
-    /// True if the end of a link may be at this position of a box. False if other edges end there.
+    /// True if the end of a link may be at this position of a box, because no other edge ends near it.
     [[nodiscard]] bool is_free(std::size_t l, bool upper, double x) const {
         const Link& link = graph_.links[l];
         if (link.turn != Link::Turn::none) return false;

@@ -73,7 +73,7 @@ private:
         return graph_.turned ? swap_axes(place) : place;
     }
 
-    /// The y of the border of a box at this x; for a port, of the side away from the box.
+    /// Returns the y of the border of a box at this x. For a port, this is the side away from the box.
     [[nodiscard]] double border_y(std::size_t n, double x, bool lower) const {
         const Node& node = graph_.nodes[n];
         double reach = lower ? node.below : node.above;
@@ -136,7 +136,7 @@ private:
         }
     }
 
-    /// The x of the right side of a box at this y.
+    /// Returns the x of the right side of a box at this y.
     [[nodiscard]] double side_at(std::size_t b, double y) const {
         const Rectangle& box = result_.boxes[b].place;
         if (!level_.boxes[b].round) return box.right();

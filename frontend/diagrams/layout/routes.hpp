@@ -7,7 +7,7 @@
 
 namespace robochart::diagrams::layout {
 
-/// The placement of a graph whose nodes have positions and whose links have tracks.
+/// Returns the placement of a graph whose nodes have positions and whose links have tracks.
 [[nodiscard]] Placement placement_of(const Graph& graph);
 
 }  // namespace robochart::diagrams::layout

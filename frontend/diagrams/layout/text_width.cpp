@@ -41,15 +41,16 @@ std::size_t columns_of(std::string_view text) {
     return count;
 }
 
-/// The number of bytes of the first `columns` characters.
+/// Returns the number of bytes of the first `columns` characters.
 std::size_t bytes_of(std::string_view text, std::size_t columns) {
     std::size_t bytes = 0;
     for (; columns > 0 && bytes < text.size(); --columns) bytes += first_character(text.substr(bytes)).bytes;
     return bytes;
 }
 
-/// The position at which to break a line that must end within `columns` characters: after the last blank. If there is
-/// no blank, after a sign in the second half, otherwise anywhere.
+/// Returns the position at which to break a line that must end within `columns` characters. This is after the last
+/// blank or, if there is none, after a punctuation sign in the second half. Without such a sign, the line is broken
+/// after `columns` characters.
 std::size_t line_end(std::string_view text, std::size_t columns) {
     const std::size_t most = bytes_of(text, columns);
     if (most >= text.size()) return text.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the width of text and breaks text into lines, with the widths of DejaVu Sans; no font is loaded.
+// Computes the width of text and breaks text into lines. The widths are those of DejaVu Sans, and no font is loaded.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace robochart::diagrams::layout {
 
-/// Allowance for substitute fonts that are wider than DejaVu Sans.
+/// A factor for substitute fonts that are wider than DejaVu Sans.
 inline constexpr double font_slack = 1.06;
 
-/// The width of UTF-8 text in pixels, including the allowance. A byte that is not UTF-8 counts as a character of one
-/// em.
+/// Returns the width of UTF-8 text in pixels, including the allowance. A byte that is not UTF-8 counts as a character
+/// of one em.
 [[nodiscard]] double text_width(std::string_view text, double font_size, bool bold = false);
 
 /// Text broken into lines, possibly shortened.
@@ -30,7 +30,7 @@ struct LineLimits {
 /// Joins pieces and breaks them into lines: between pieces if possible, otherwise at blanks, otherwise anywhere.
 [[nodiscard]] Lines break_lines(const std::vector<std::string>& pieces, const LineLimits& limits);
 
-/// The beginning of a text, with an ellipsis if characters are missing.
+/// Returns the beginning of a text, with an ellipsis if characters are missing.
 [[nodiscard]] std::string elide_text(std::string_view text, std::size_t columns);
 
 }  // namespace robochart::diagrams::layout

@@ -35,7 +35,7 @@ void set_extent(Piece& piece) {
 constexpr std::size_t on_each_other = 1000;   ///< cost of overlapping lines
 constexpr std::size_t largest_search = 1200;  ///< order is optimised only for gaps with at most this many segments
 
-/// The cost of placing `a` above `b`.
+/// Returns the cost of placing `a` above `b`.
 std::size_t cost_above(const Piece& a, const Piece& b) {
     if (a.link == b.link) return a.part < b.part ? 0 : on_each_other * on_each_other;
     std::size_t cost = 0;
@@ -76,7 +76,7 @@ public:
         pieces_.push_back(std::move(piece));
     }
 
-    /// Orders the segments and assigns tracks; returns the number of tracks.
+    /// Orders the segments and assigns tracks. Returns the number of tracks.
     std::size_t assign_tracks() {
         order_segments();
         for (int i = 0; i < 32 && split_one(); ++i) order_segments();
@@ -91,7 +91,7 @@ public:
         return count;
     }
 
-    /// Sets the positions; the first track is at `y`.
+    /// Sets the positions. The first track is at `y`.
     void set_positions(double y) {
         std::ranges::stable_sort(pieces_, [](const Piece& a, const Piece& b) { return a.part < b.part; });
         for (const Piece& piece : pieces_)
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    /// Inserts the segment where it costs least; returns the cost.
+    /// Inserts the segment at the cheapest position. Returns the cost.
     std::size_t insert_cheapest(std::vector<std::size_t>& order, std::size_t piece) const {
         std::size_t cost = 0;
         for (const std::size_t other : order) cost += costs_[piece][other];
@@ -188,7 +188,7 @@ private:
         return true;
     }
 
-    /// The nearest x without a vertical line.
+    /// Returns the nearest x without a vertical line.
     [[nodiscard]] double free_x(double middle) const {
         for (double away = 0;; away += 1)
             for (const double x : {middle + away, middle - away}) {
@@ -203,13 +203,13 @@ private:
     std::vector<std::vector<std::size_t>> costs_;
 };
 
-/// The gap above a layer (0 for the first layer) that contains a link.
+/// Returns the gap above a layer (0 for the first layer) that contains a link.
 std::size_t gap_of(const Graph& graph, const Link& link) {
     const std::size_t layer = graph.nodes[link.upper].layer;
     return link.turn == Link::Turn::over ? layer : layer + 1;
 }
 
-/// The distance between the tracks and an adjacent layer.
+/// Returns the distance between the tracks and an adjacent layer.
 double track_margin(const Graph& graph, std::size_t layer) {
     if (layer % 2 == 0) return distance::at_boxes;
     for (const std::size_t n : graph.layers[layer])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elements of a model that diagrams show, numbered in textual order. An element has one id in all diagrams of a
-// run. The id contains the number of the element and not its name.
+// Numbers the elements of a model that diagrams show, in textual order. An element has one id in all diagrams of a run.
+// The id contains the number of the element and not its name.
 #pragma once
 
 #include <string>
@@ -23,12 +23,12 @@ struct Element {
 /// All elements of a model, without those of the toolkits.
 class Elements {
 public:
-    /// The numbers start at `first`, so that the elements of several models can get different numbers.
+    /// Numbers the elements from `first` on, so that the elements of several models can get different numbers.
     explicit Elements(const frontend::Model& model, std::size_t first = 1);
 
     [[nodiscard]] const std::vector<Element>& all_elements() const { return elements_; }
-    /// The index in `all_elements` of a declaration, an action, an interface clause or a precondition; `none` for other
-    /// nodes of the tree.
+    /// Returns the index in `all_elements` of a declaration, an action, an interface clause or a precondition, or
+    /// `none` for other nodes of the tree.
     [[nodiscard]] std::size_t find(const void* node) const;
 
 private:

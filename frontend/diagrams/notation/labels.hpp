@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of diagrams, in RoboTool's order and spelling. Invisible characters are escaped.
+// Writes the text of diagrams, in RoboTool's order and spelling. Invisible characters are escaped.
 #pragma once
 
 #include <string>
@@ -10,25 +10,25 @@
 
 namespace robochart::diagrams {
 
-/// A name for display; any characters are allowed in it.
+/// Returns a name for display. It may contain any characters.
 [[nodiscard]] std::string shown_name(std::string_view name);
 
 [[nodiscard]] std::string text_of(const frontend::Expr& expr);
-/// A statement without the keyword `send`, as RoboTool draws it.
+/// Returns a statement without the keyword `send`, as RoboTool draws it.
 [[nodiscard]] std::string text_of(const frontend::Stmt& statement);
-/// `v: T = e`
+/// Returns `v: T = e`.
 [[nodiscard]] std::string text_of(const frontend::Variable& variable);
-/// `e: T`
+/// Returns `e: T`.
 [[nodiscard]] std::string text_of(const frontend::Event& event);
-/// `op(p: T)`
+/// Returns `op(p: T)`.
 [[nodiscard]] std::string text_of(const frontend::OperationSignature& signature);
-/// `op(p: T) [terminates]`
+/// Returns `op(p: T) [terminates]`.
 [[nodiscard]] std::string title_of(const frontend::Machine& operation);
-/// `f(x: T): U`
+/// Returns `f(x: T): U`.
 [[nodiscard]] std::string text_of(const frontend::Function& function);
-/// `l(T)`
+/// Returns `l(T)`.
 [[nodiscard]] std::string text_of(const frontend::EnumLiteral& literal);
-/// `trigger #C <{d}p{e}[guard]/action`, as pieces between which a line may be broken.
+/// Returns `trigger #C <{d}p{e}[guard]/action` as pieces between which a line may be broken.
 [[nodiscard]] std::vector<std::string> label_of(const frontend::Transition& transition);
 
 }  // namespace robochart::diagrams

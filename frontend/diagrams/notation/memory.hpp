@@ -24,13 +24,13 @@ struct Memory {
     std::map<std::string, LevelMemory> levels;
 };
 
-/// The names of the boxes and edges of a level; equal names are numbered.
+/// The names of the boxes and edges of a level. Equal names are numbered.
 struct LevelNames {
     std::string path;
     std::vector<std::string> boxes, edges;
 };
 
-/// Lays out a level as similarly as possible to the last time, and remembers the result.
+/// Lays out a level as similarly as possible to the remembered layout, and remembers the result.
 [[nodiscard]] layout::Placement arrange_again(layout::Level& level, LevelNames names, Memory* memory,
                                               diagnostics::Budget* budget);
 

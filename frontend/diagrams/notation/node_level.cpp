@@ -19,7 +19,7 @@ using layout::Size;
 namespace {
 
 constexpr double circle = 24;
-constexpr double inset = 12;  ///< between the border of a composite state and its nodes
+constexpr double inset = 12;  ///< distance between the border of a composite state and its nodes
 constexpr layout::LineLimits label_limits{34, 6};
 constexpr layout::LineLimits action_limits{44, 6};
 
@@ -86,7 +86,7 @@ void NodeLevel::add_node(const State& state) {
     nodes_.push_back(std::move(shape));
 }
 
-/// The characters per line; more if a person drew the state wide.
+/// Returns the number of characters per line, which is larger if a person drew the state wide.
 std::size_t NodeLevel::columns_of(const State& state) const {
     constexpr double widest = 2000;
     const auto drawn = drawing_.stored->box_of(&state);
@@ -126,7 +126,8 @@ void NodeLevel::add_arrow(const Transition& transition) {
     arrows_.push_back(std::move(arrow));
 }
 
-/// The node of this level that is the target or contains it. If there is none, adds a box with the target's name.
+/// Returns the node of this level that is the target or contains it. If there is none, adds a box with the target's
+/// name.
 std::size_t NodeLevel::end_of(const State* target, const QualifiedName& name) {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
         if (target != nullptr && nodes_[n].state != nullptr && contains_node(*nodes_[n].state, target)) return n;
@@ -159,7 +160,7 @@ void NodeLevel::lay_out() {
     placement_ = arrange_again(level_, std::move(names), drawing_.memory, drawing_.budget);
 }
 
-/// No value if the drawing contains no node of the level.
+/// Returns no value if the drawing contains no node of the level.
 std::optional<layout::DrawnLevel> NodeLevel::drawn_level() const {
     if (drawing_.stored == nullptr) return std::nullopt;
     layout::DrawnLevel drawn;

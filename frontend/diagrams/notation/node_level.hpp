@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nodes and transitions of a machine or a composite state, laid out from inside out.
+// Lays out the nodes and transitions of a machine or a composite state. Inner states are laid out before outer states.
 #pragma once
 
 #include <memory>
@@ -19,11 +19,12 @@ public:
 
     [[nodiscard]] const layout::Size& size() const { return placement_.size; }
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
-    /// The distance between the level and the enclosing border. It is `own`, or 0 if the layout is that of a person.
+    /// Returns the distance between the level and the enclosing border: `own`, or 0 if a person drew the layout.
     [[nodiscard]] double margin(double own) const { return as_drawn_ ? 0 : own; }
-    /// The position of the level's corner in the available space. The level is centred, or placed as a person drew it.
+    /// Returns the position of the level's corner in the available space. The level is centred, or placed as a person
+    /// drew it.
     [[nodiscard]] layout::Point corner_in(const layout::Rectangle& space) const;
-    /// Adds its boxes and lines to a picture.
+    /// Adds the boxes and lines of the level to a picture.
     void paint(Picture& picture, const layout::Point& corner, std::size_t parent) const;
 
 private:

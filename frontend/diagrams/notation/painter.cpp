@@ -17,13 +17,13 @@ using layout::text_width;
 namespace {
 
 constexpr double icon_width = 18;
-constexpr double base_below_middle = 4.5;  ///< of a title
+constexpr double base_below_middle = 4.5;  ///< distance of a title's base line from its middle
 
 std::string short_title(const std::string& text) {
     return layout::elide_text(text, measure::longest_title);
 }
 
-/// The bounding box of a text.
+/// Returns the bounding box of a text.
 Rectangle extent_of(const Text& text) {
     const double width = text_width(text.text, text.size, text.bold);
     double shift = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawing functions that diagrams of all kinds share: titles, labels, squares of events.
+// Draws what all kinds of diagrams contain: titles, labels and squares of events.
 #pragma once
 
 #include <string>
@@ -31,13 +31,13 @@ struct Title {
     bool reference = false;
 
     [[nodiscard]] double width() const;
-    /// The place of the text in the first `height` pixels of a box, relative to the middle of its upper side.
+    /// Returns the place of the text in the first `height` pixels of a box, relative to the middle of its upper side.
     [[nodiscard]] layout::Rectangle text_place(double height) const;
     /// Writes the title, centred, into the first `height` pixels of a box.
     void write(PictureBox& box, double height) const;
 };
 
-/// The size of lines of text, one below the other.
+/// Returns the size of lines of text, one below the other.
 [[nodiscard]] layout::Size size_of(const layout::Lines& lines);
 /// Writes the lines below a point.
 void write_lines(const layout::Lines& lines, const layout::Point& corner, std::vector<Text>& texts);
@@ -49,18 +49,19 @@ struct EventSquare {
     bool broadcast = false;
     std::string whole;  ///< the complete label if it is elided
 };
-/// The square of an event with its label.
+/// Returns the square of an event with its label.
 [[nodiscard]] EventSquare square_of(const std::string& label, std::size_t element, bool broadcast);
-/// The events of a component: its own and those of the interfaces that it uses.
+/// Returns the events of a component: those that it declares and those of the interfaces that it uses.
 [[nodiscard]] std::vector<const frontend::Event*> events_of(const frontend::Context& context);
 [[nodiscard]] EventSquare square_of(const frontend::Event& event, const Elements& elements);
 [[nodiscard]] double label_width(const EventSquare& square);
-/// The size of the label.
+/// Returns the size of the label.
 [[nodiscard]] layout::Size label_size(const EventSquare& square);
-/// The square with its label to the left or right.
+/// Returns the square with its label to the left or right.
 [[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::Point& centre, std::size_t owner,
                                      bool label_left);
-/// The square at a port. Its label is at the place that the port gives; if the port gives none, at the left or right.
+/// Returns the square at a port. Its label is at the place that the port contains or, if there is none, to the left or
+/// right.
 [[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::PlacedPort& port,
                                      const layout::Point& corner, std::size_t owner, bool label_left);
 

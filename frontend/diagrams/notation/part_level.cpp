@@ -19,7 +19,7 @@ using layout::Size;
 
 namespace {
 
-constexpr double component_inset = 22;  ///< between the border of the component and its contents
+constexpr double component_inset = 22;  ///< distance between the border of the component and its contents
 
 Icon icon_of(DeclKind kind) {
     if (kind == DeclKind::platform) return Icon::platform;
@@ -27,7 +27,7 @@ Icon icon_of(DeclKind kind) {
     return kind == DeclKind::operation ? Icon::operation : Icon::machine;
 }
 
-/// The label of a connection: `async`, or none.
+/// Returns the label of a connection: `async`, or none.
 layout::Lines connection_label(const Connection& connection) {
     return connection.async ? layout::Lines{{"async"}, false} : layout::Lines{};
 }
@@ -133,7 +133,8 @@ PartLevel::End PartLevel::end_of(const Connection::End& end, bool source) {
     return {part, square_in(parts_[part], end)};
 }
 
-/// The square of an own event. It is on the left if it leads inwards, and on the right if it leads outwards.
+/// Returns the square of an event of the module or controller itself. The square is on the left if its connection leads
+/// inwards, and on the right if it leads outwards.
 std::size_t PartLevel::own_event(const Connection::End& end, bool source) {
     const std::string name = shown_name(end.event.text());
     std::size_t found = parts_.size();
@@ -156,7 +157,7 @@ std::size_t PartLevel::own_event(const Connection::End& end, bool source) {
     return found;
 }
 
-/// The component at the end of a connection. If there is none, a box with the name is added.
+/// Returns the component at the end of a connection. If there is none, a box with the name is added.
 std::size_t PartLevel::part_of(const Connection::End& end) {
     const std::string name = shown_name(end.node.text());
     for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -228,7 +229,7 @@ void PartLevel::set_size(Part& part) const {
     part.size.height = part.header + part.inner->size().height;
 }
 
-/// No value if the drawing contains none of the components.
+/// Returns no value if the drawing contains none of the components.
 std::optional<layout::DrawnLevel> PartLevel::drawn_level() const {
     if (drawing_.stored == nullptr) return std::nullopt;
     layout::DrawnLevel drawn;
@@ -282,8 +283,8 @@ PartLevel::Borders PartLevel::find_borders() const {
     return result;
 }
 
-/// If the frame must be wider than the components need, the components are centred. If there are events on the right
-/// border, the border is moved instead.
+/// Adds the components and connections. If the frame is wider than the components need, they are centred. If there are
+/// events on the right border, the border is moved instead.
 void PartLevel::paint(Picture& picture) {
     if (as_drawn_) {
         paint_as_drawn(picture);
@@ -342,7 +343,8 @@ void PartLevel::paint_part(Picture& picture, std::size_t p, const Point& corner)
     }
     for (std::size_t s = 0; s < part.squares.size(); ++s) {
         const layout::PlacedPort& port = placed.ports[s];
-        // The label is inside a component, but outside the frame for an own event of the frame's component.
+        // The label of a component's event is inside the component. The label of an event on the frame is outside the
+        // frame.
         const bool label_left = part.on_border ? is_first(p) : !port.left;
         squares_[p].push_back(picture.boxes.size());
         picture.boxes.push_back(draw_square(part.squares[s], port, corner, owner, label_left));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The components of a module or controller with the squares of their events, and the connections between them.
+// Lays out and draws the components of a module or controller, the squares of their events, and the connections between
+// them.
 #pragma once
 
 #include <memory>

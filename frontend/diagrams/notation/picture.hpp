@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A diagram as data: boxes, lines and text with their places, and the elements of the model that they show. All output
-// formats use this data (frontend/diagrams/svg).
+// Represents a diagram as data: boxes, lines and text with their places, and the elements of the model that they show.
+// All output formats use this data (frontend/diagrams/svg).
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ enum class Icon {
     postcondition,
 };
 
-/// The point of a text that its position refers to.
+/// The point of a text that is at the text's position.
 enum class Anchor { start, middle, end };
 
 /// Text on one line.
@@ -76,7 +76,7 @@ enum class Look {
 [[nodiscard]] inline bool is_round(Look look) {
     return look >= Look::initial;
 }
-/// The letter in the circle of a node; "" if it has none.
+/// Returns the letter in the circle of a node, or "" if it has none.
 [[nodiscard]] inline std::string_view letter_of(Look look) {
     if (look == Look::initial) return "i";
     if (look == Look::probabilistic) return "P";

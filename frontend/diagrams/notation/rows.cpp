@@ -85,7 +85,7 @@ void Rows::write(const layout::Point& corner, PictureBox& box) const {
 
 namespace {
 
-/// A context of RoboSim: `input: uses Button, event pressed`.
+/// Adds a context of RoboSim, as in `input: uses Button, event pressed`.
 void add_registers(Rows& rows, const Context& registers, const Elements& elements) {
     const std::string head = registers.kind == DeclKind::input_context ? "input: " : "output: ";
     std::vector<RowText> texts;

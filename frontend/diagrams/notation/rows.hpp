@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of a box: an icon and declarations, one after another, broken if the row is too wide.
+// Lays out the rows of a box. A row contains an icon and declarations, one after the other, and is broken if it is too
+// wide.
 #pragma once
 
 #include <string>
@@ -22,7 +23,7 @@ inline constexpr double line = 14;  ///< the height of a line of a label or an a
 inline constexpr double padding = 7;
 inline constexpr double sign = 24;  ///< width of the icon column
 inline constexpr double widest_row = 420;
-inline constexpr std::size_t longest_title = 60;  ///< the number of characters
+inline constexpr std::size_t longest_title = 60;  ///< the greatest number of characters of a title
 }  // namespace measure
 
 /// A text of a row.
@@ -43,17 +44,17 @@ struct Rows {
     std::vector<Row> rows;
     std::string whole;  ///< the complete text if a part of it is elided
 
-    /// Adds one row for each line that the texts need; texts are separated by commas.
+    /// Adds one row for each line that the texts need. Commas separate the texts.
     void add(Icon icon, const std::vector<RowText>& texts);
     [[nodiscard]] bool empty() const { return rows.empty(); }
-    /// The size including margins.
+    /// Returns the size including margins.
     [[nodiscard]] layout::Size size() const;
     /// Writes the rows into a box, below a point.
     void write(const layout::Point& corner, PictureBox& box) const;
 };
 
-/// The rows of a context: the cycle and the registers of RoboSim, clauses, operations, constants, variables, clocks,
-/// and events if they are not drawn as squares.
+/// Returns the rows of a context: the cycle and the registers of RoboSim, clauses, operations, constants, variables,
+/// clocks, and events if they are not drawn as squares.
 [[nodiscard]] Rows rows_of(const frontend::Context& context, const Elements& elements, bool with_events);
 /// Adds pre- or postconditions.
 void add_conditions(Rows& rows, Icon icon, const std::vector<frontend::ExprPtr>& conditions, const Elements& elements);

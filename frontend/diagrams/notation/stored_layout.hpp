@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of a component by a person, keyed by declarations. frontend/diagrams/stored reads it from RoboTool's
-// files.
+// Represents the layout in which a person drew a component, keyed by declarations. frontend/diagrams/stored reads it
+// from RoboTool's files.
 #pragma once
 
 #include <unordered_map>
@@ -10,7 +10,7 @@
 
 namespace robochart::diagrams {
 
-/// The area of the nodes of a machine or state, or of the components of a component.
+/// The area of the nodes of a machine or state, or of the components of a module or controller.
 struct StoredArea {
     layout::Size size;            ///< 0: automatic
     std::optional<double> above;  ///< height of the part of the diagram above the area, including the title
@@ -32,7 +32,7 @@ struct StoredLayout {
     [[nodiscard]] std::optional<layout::DrawnEdge> line_of(const frontend::Declaration* of) const;
     [[nodiscard]] std::optional<layout::DrawnPort> port_of(const frontend::Declaration* owner,
                                                            const frontend::Declaration* event) const;
-    /// The size of a component in the diagram, if known.
+    /// Returns the size of a component in the diagram, if known.
     [[nodiscard]] layout::Size size(const frontend::Declaration* of) const;
 };
 

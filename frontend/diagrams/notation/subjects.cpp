@@ -25,7 +25,7 @@ using layout::Size;
 
 namespace {
 
-/// A name as part of a file name: all characters except ASCII letters and digits become "_".
+/// Returns a name as part of a file name: all characters except ASCII letters and digits become "_".
 std::string safe_file_name(const std::string& name) {
     constexpr std::size_t longest = 100;
     std::string result;
@@ -83,8 +83,8 @@ private:
         found_[at->second].files.push_back(&file);
     }
 
-    /// Files are named after the last part of the subject's name. If two such names are equal on some file system, the
-    /// full names are used, and if these are also equal, numbers are added.
+    /// Names the file of each diagram after the last part of the subject's name. If two names would be equal on some
+    /// file system, the full names are used. If these are also equal, numbers are added.
     void name_files() {
         std::map<std::string, std::size_t> uses;
         const auto last_name = [](const Subject& subject) {
@@ -109,7 +109,7 @@ private:
     std::map<std::string, std::size_t> packages_;
 };
 
-/// The title and the rows of a component; with `events`, also squares of its events at the right.
+/// The title and the rows of a component. If `events` is true, also the squares of its events at the right.
 class Frame {
 public:
     Frame(const Context& context, const Drawing& drawing, bool events) : context_(context), stored_(drawing.stored) {
@@ -130,7 +130,7 @@ public:
         set_title();
     }
 
-    /// The size of the title, the rows and the squares.
+    /// Returns the size of the title, the rows and the squares.
     [[nodiscard]] Size header_size() const {
         const Size rows = rows_.size();
         if (stored_ != nullptr)
@@ -142,10 +142,10 @@ public:
         return {std::max(title_.width(), rows.width + labels), measure::title + std::max(rows.height, squares)};
     }
 
-    /// The text of the title, relative to the middle of the upper side.
+    /// Returns the text of the title, relative to the middle of the upper side.
     [[nodiscard]] Rectangle title() const { return title_.text_place(measure::title); }
 
-    /// The frame without its position.
+    /// Returns the frame without its position.
     [[nodiscard]] PictureBox frame_box() const { return box_; }
 
     /// Writes the contents into the first box of a picture, whose position is set.
@@ -319,7 +319,7 @@ std::string count_text(std::size_t count, const std::string& one) {
     return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// Counts the contents, without squares of events and the frame.
+/// Describes a picture by the numbers of its boxes and lines, without the squares of events and the frame.
 std::string description_of(const Picture& picture) {
     const auto boxes = static_cast<std::size_t>(std::ranges::count_if(
         picture.boxes, [](const PictureBox& box) { return box.event_of == none && box.look != Look::frame; }));

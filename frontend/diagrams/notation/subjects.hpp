@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a model that have a diagram, and their diagrams.
+// Finds the components and packages of a model that have a diagram, and draws them.
 #pragma once
 
 #include <string>
@@ -21,13 +21,13 @@ struct Subject {
 [[nodiscard]] bool has_diagram(const frontend::Declaration& declaration);
 
 /// Lists, in textual order, all modules, controllers, machines, operations and platforms, including inline ones. Then
-/// lists every package with types, functions or interfaces. `paths` contains the paths of the texts, which replace the
-/// names of unnamed packages.
+/// lists every package with types, functions or interfaces. `paths` contains the paths of the texts. They are used in
+/// the place of a name for unnamed packages.
 [[nodiscard]] std::vector<Subject> find_subjects(const frontend::Model& model,
                                                  const diagnostics::SourceManager& sources);
 
-/// The diagram. A model with errors is drawn as far as possible; an unresolved name is drawn as a box. Throws
-/// layout::TooLarge.
+/// Returns the diagram of a subject. A model with errors is drawn as far as possible: an unresolved name becomes a box.
+/// Throws layout::TooLarge.
 [[nodiscard]] Picture draw_subject(const Subject& subject, const Drawing& drawing);
 
 }  // namespace robochart::diagrams

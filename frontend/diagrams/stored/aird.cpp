@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See aird.hpp. Expat reports elements one after another; the relevant ones are stored directly.
+// See aird.hpp. Expat reports the elements one after the other, and the relevant ones are stored at once.
 #include "frontend/diagrams/stored/aird.hpp"
 
 #include <expat.h>
@@ -27,13 +27,13 @@ class Attributes {
 public:
     explicit Attributes(const XML_Char** list) : list_(list) {}
 
-    /// The value of an attribute; "" if it does not exist.
+    /// Returns the value of an attribute, or "" if it does not exist.
     [[nodiscard]] std::string_view operator[](std::string_view name) const {
         for (const XML_Char** at = list_; *at != nullptr; at += 2)
             if (name == at[0]) return at[1];
         return {};
     }
-    /// Files of different RoboTool versions use different names for the same attribute.
+    /// Returns the value of an attribute that has one of two names, depending on the version of RoboTool.
     [[nodiscard]] std::string_view first_value_of(std::string_view name, std::string_view other) const {
         const std::string_view found = (*this)[name];
         return found.empty() ? (*this)[other] : found;
@@ -44,7 +44,7 @@ private:
     const XML_Char** list_;
 };
 
-/// Reads numbers from the beginning of a text. A number is in pixels or is a fraction of a side.
+/// Reads numbers from the beginning of a text. They are pixels or fractions of a side.
 class Numbers {
 public:
     explicit Numbers(std::string_view text) : text_(text), rest_(text) {}
@@ -68,7 +68,7 @@ public:
     [[nodiscard]] bool is_done() const { return rest_.empty(); }
 
 private:
-    /// The text around the current position, for messages.
+    /// Returns the text around the current position, for messages.
     [[nodiscard]] std::string_view text_around() const {
         constexpr std::size_t around = 24;
         const std::size_t read = text_.size() - rest_.size();
@@ -87,7 +87,7 @@ std::optional<double> number_of(std::string_view text) {
     return value;
 }
 
-/// "(0.5,1.0)".
+/// Reads an anchor such as "(0.5,1.0)".
 layout::Point anchor_of(std::string_view text) {
     if (!text.starts_with('(')) return {0.5, 0.5};  // a named anchor: the middle
     Numbers numbers(text);
@@ -99,7 +99,7 @@ layout::Point anchor_of(std::string_view text) {
     return {x, y};
 }
 
-/// "[sx, sy, tx, ty]$[...]".
+/// Reads bends such as "[sx, sy, tx, ty]$[...]".
 std::vector<layout::DrawnEdge::Bend> bends_of(std::string_view text) {
     std::vector<layout::DrawnEdge::Bend> bends;
     Numbers numbers(text);
@@ -122,7 +122,7 @@ std::vector<layout::DrawnEdge::Bend> bends_of(std::string_view text) {
     return bends;
 }
 
-/// The last name in "...[name='StateID']/...".
+/// Returns the last name in "...[name='StateID']/...".
 std::string mapping_of(std::string_view href) {
     constexpr std::string_view before = "[name='";
     const std::size_t begin = href.rfind(before);
@@ -232,7 +232,7 @@ private:
         }
     }
 
-    /// Handles a child of a line or of one of its labels; the type of a label is in `shape`.
+    /// Handles a child of a line or of one of its labels. The type of a label is in `shape`.
     void in_line(Open& now, std::string_view tag, const Attributes& attributes) {
         layout::DrawnEdge& route = diagrams_.back().lines[now.line].route;
         constexpr int label_in_the_middle = 6001;
@@ -314,8 +314,8 @@ private:
         return result;
     }
 
-    /// Calls `work` and stores its exception, which ends the parsing: exceptions must not pass through Expat, which is
-    /// C code.
+    /// Calls `work`. An exception is stored and ends the parsing, because exceptions must not pass through Expat, which
+    /// is C code.
     template <class Work>
     void run_guarded(Work work) {
         if (!error_.empty() || failure_) return;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads the files `representations.aird` into plain data: the drawn elements and their places. RoboTool stores diagrams
-// in these files (XMI of Sirius and GMF). References are resolved elsewhere (fragments.hpp), so reading opens no other
-// file.
+// in these files (XMI of Sirius and GMF). References are resolved in fragments.hpp, so reading opens no other file.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,7 @@
 
 namespace robochart::diagrams {
 
-/// No shape.
+/// The index that means no shape.
 inline constexpr std::size_t no_shape = static_cast<std::size_t>(-1);
 
 /// The element that a shape or line represents.
@@ -58,11 +57,11 @@ struct Aird {
     std::uint32_t offset = 0;  ///< the place of the error
 };
 
-/// The longest text that is accepted, in bytes.
+/// The length of the longest accepted text, in bytes.
 inline constexpr std::size_t longest_aird = std::size_t{64} << 20U;
 
-/// Reads XML in UTF-8 without a document type. Entity definitions, which could grow without bound or name other files,
-/// are rejected. Elements that are nested too deeply and numbers out of range are also rejected.
+/// Reads XML in UTF-8 without a document type. Rejects entity definitions, because they could grow without bound or
+/// name other files. Also rejects elements that are nested too deeply, and numbers out of range.
 [[nodiscard]] Aird read_aird(std::string_view text, diagnostics::Budget* budget = nullptr);
 
 }  // namespace robochart::diagrams

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Caches files with diagrams for servers. A file is read once, and read again when it changes on disk.
+// Caches files with diagrams for servers. A file is read again only if it has changed on disk.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace robochart::diagrams {
 /// The files that were requested most recently.
 class AirdFiles {
 public:
-    /// Null if the file does not exist or cannot be read.
+    /// Returns the contents of the file, or null if it does not exist or cannot be read.
     [[nodiscard]] const Aird* read(const std::string& path, diagnostics::Budget* budget);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // See component_reader.hpp. A node, component or event in RoboTool's file denotes the declaration to which its
-// reference leads, if that declaration has the displayed name. Otherwise declarations may have been added or moved, so
-// the shape denotes the declaration with the displayed name in the same container.
+// reference leads, if that declaration has the displayed name. Otherwise declarations have probably been added or
+// moved, and the shape denotes the declaration with the displayed name in the same container.
 #include "frontend/diagrams/stored/component_reader.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 constexpr double shape_inset = 5;    ///< the distance of shapes from the border of their area
 constexpr double title_height = 28;  ///< the height of a displayed title
 
-/// "S" of "ref S = T", "e: nat", "op(x: nat)".
+/// Returns the name in a displayed text: "S" for "ref S = T", "e" for "e: nat", "op" for "op(x: nat)".
 std::string_view identifier_of(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
     const auto trim = [&] { text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size())); };
@@ -73,7 +73,7 @@ bool is_placed(std::string_view mapping) {
     return std::ranges::find(placed, mapping) != std::end(placed);
 }
 
-/// The events that may be on the border of a component.
+/// Returns the events that may be on the border of a component.
 std::vector<const Event*> events_on(const Declaration* owner) {
     if (const auto* reference = dynamic_cast<const Reference*>(owner)) owner = reference->target;
     const auto* context = dynamic_cast<const Context*>(owner);
@@ -163,7 +163,7 @@ private:
         for (const std::size_t child : children_[shape]) visit(child, *node);
     }
 
-    /// Finds the node in the owner by the reference, otherwise by its name.
+    /// Finds the node in the owner by the reference or, if that fails, by its name.
     [[nodiscard]] const Declaration* node_of(const AirdElement& element, const Declaration& owner) const {
         const Declaration* meant = fragments_.find(element.href);
         const Declaration* called = nullptr;
@@ -194,7 +194,7 @@ private:
                                                                      label_side(shape)});
     }
 
-    /// The side of a square of 30 pixels on which the corner of its label is.
+    /// Returns the side of a square of 30 pixels on which the corner of its label is.
     [[nodiscard]] layout::Side label_side(std::size_t shape) const {
         constexpr double beyond = 28;
         for (const std::size_t child : children_[shape]) {
@@ -231,7 +231,7 @@ private:
         return title_height;
     }
 
-    /// A shape with areas is as large as the areas need.
+    /// Reads the box of a shape. A shape with areas is as large as the areas need.
     void read_box(std::size_t shape, const Declaration& it) {
         const AirdShape& own = diagram_.shapes[shape];
         layout::DrawnBox box{{own.x.value_or(0) + shape_inset, own.y.value_or(0) + shape_inset}, own.width, own.height};
@@ -254,8 +254,8 @@ private:
         if (!areas.empty()) result_.layout.areas[&it] = area;
     }
 
-    /// RoboTool stacks shapes that were never moved in one corner, and creates nodes and components when they are first
-    /// shown.
+    /// Counts the boxes and those at the place of another box. RoboTool stacks shapes in one corner until somebody
+    /// moves them, and creates nodes and components when they are first shown.
     void count_boxes(const Declaration& component) {
         for (const auto& [place, count] : places_) {
             result_.boxes += count;
@@ -289,8 +289,8 @@ private:
         }
     }
 
-    /// The lines between shapes of the component or own events, in the order of the file. A shape may be missing in the
-    /// model.
+    /// Returns the lines between shapes of the component or own events, in the order of the file. A shape may be
+    /// missing in the model.
     [[nodiscard]] std::vector<std::size_t> lines_inside() const {
         std::vector<std::size_t> result;
         for (const std::string& id : ids_) {
@@ -331,8 +331,8 @@ private:
         return connection != nullptr && is(connection->from, source) && is(connection->to, target);
     }
 
-    /// Finds a declaration for the line in the container of the line's source. Declarations that have a line already
-    /// are skipped. If several fit, the one with the line's label is preferred.
+    /// Finds a declaration for the line in the container of the line's source. Declarations that already have a line
+    /// are skipped. If several fit, a declaration with the line's label is preferred.
     void find_line(const AirdLine& line, const AirdElement& element) {
         const Declaration* source = end_of(element.source).node;
         const Declaration* best = nullptr;
@@ -361,7 +361,7 @@ private:
     std::map<std::tuple<std::size_t, double, double>, std::size_t> places_;  ///< number of shapes at each place
 };
 
-/// Finds the component by the reference, otherwise by its name.
+/// Finds the component by the reference or, if that fails, by its name.
 const Declaration* component_of(const AirdElement& element, const Fragments& fragments) {
     const auto is_meant = [&](const Declaration* candidate) {
         return candidate != nullptr && has_diagram(*candidate) && is_called(*candidate, element.name);

@@ -10,7 +10,7 @@
 
 namespace robochart::diagrams {
 
-/// The layouts of the components that a diagram shows, including inner ones, in the order of the file.
+/// Returns the layouts of the components that a diagram shows, including inner ones, in the order of the file.
 [[nodiscard]] std::vector<std::pair<const frontend::Declaration*, StoredDiagram>> read_components(
     const AirdDiagram& diagram, const Fragments& fragments, diagnostics::Budget* budget);
 

@@ -20,7 +20,7 @@ int digit_of(char c) {
     return -1;
 }
 
-/// Replaces escapes such as "%40" by the character ("@"); anything else is kept.
+/// Replaces escapes such as "%40" by their characters ("@"). All other text is unchanged.
 std::string unescaped(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -45,7 +45,7 @@ struct Step {
     std::size_t number = 0;
 };
 
-/// No value if a step has another form.
+/// Returns no value if a step has another form.
 std::optional<std::vector<Step>> steps_of(std::string_view path) {
     std::vector<Step> steps;
     while (!path.empty()) {
@@ -69,7 +69,7 @@ DeclKind kind_of(const Declaration& declaration) {
     return reference != nullptr ? reference->refers_to : declaration.kind;
 }
 
-/// The item with this number among those that satisfy `fits`.
+/// Returns the item with this number among those that satisfy `fits`.
 template <class Items, class Fits>
 const Declaration* nth_item(const Items& items, std::size_t number, Fits fits) {
     for (const auto& item : items)
@@ -137,7 +137,7 @@ Fragments::Fragments(const Model& model, const diagnostics::SourceManager& sourc
     }
 }
 
-/// A file and the steps in it; null and empty if the reference does not lead into the model.
+/// A file and the steps in it. If the reference does not lead into the model, `file` is null and `steps` is empty.
 struct Fragments::Reference {
     const File* file = nullptr;
     std::vector<Step> steps;

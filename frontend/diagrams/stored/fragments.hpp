@@ -16,13 +16,13 @@ namespace robochart::diagrams {
 /// Finds the declarations to which references lead.
 class Fragments {
 public:
-    /// `folder`: the folder of the referring file, "" or ending with "/". If several files have the same name, the one
-    /// in this folder is used.
+    /// `folder` is the folder of the file with the references: "" or a path that ends with "/". If several files of the
+    /// model have the same name, the file in this folder is used.
     Fragments(const frontend::Model& model, const diagnostics::SourceManager& sources, const std::string& folder);
 
-    /// Null if the reference does not lead to a drawn declaration.
+    /// Returns the declaration to which the reference leads, or null if diagrams do not show it.
     [[nodiscard]] const frontend::Declaration* find(std::string_view href) const;
-    /// The declarations to which the reference leads with any number at its end.
+    /// Returns the declarations to which the reference leads if 0, 1, 2 and so on replace the number at its end.
     [[nodiscard]] std::vector<const frontend::Declaration*> siblings(std::string_view href) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings about diagrams that RoboTool stores (docs/diagrams.md).
+// Lists the findings about diagrams that RoboTool stores (docs/diagrams.md).
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -21,19 +21,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The folder of a path: "" or ending with "/".
+/// Returns the folder of a path: "" or ending with "/".
 std::string folder_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     return slash == std::string::npos ? "" : path.substr(0, slash + 1);
 }
 
-/// The innermost folder that contains both.
+/// Returns the innermost folder that contains both.
 std::string common_folder(const std::string& a, const std::string& b) {
     const auto [end, other] = std::ranges::mismatch(a, b);
     return folder_of(std::string(a.begin(), end));
 }
 
-/// The folders that may contain diagrams, sorted by name.
+/// Returns the folders that may contain diagrams, sorted by name.
 std::set<std::string> folders_of(const Model& model, const diagnostics::SourceManager& sources) {
     std::set<std::string> folders;
     std::optional<std::string> common;
@@ -89,7 +89,8 @@ private:
     std::size_t connections_ = 0;
 };
 
-/// The contents of the file; empty if it does not exist or cannot be read. An unreadable file is reported.
+/// Returns the contents of the file, which are empty if it does not exist or cannot be read. An unreadable file is
+/// reported.
 Aird read_file(const std::string& path, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(path, error))) return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagrams of a model that people drew in RoboTool. They are searched for in the folders of the model's files, and
-// used if they match the current model. They are never written.
+// Finds the diagrams of a model that people drew in RoboTool. The search covers the folders of the model's files. A
+// diagram is used if it matches the current model. The files are never written.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct StoredDiagram {
     std::size_t boxes = 0;     ///< nodes and parts
     std::size_t stacked = 0;   ///< number of boxes at the place of another box, because nobody has moved them
 
-    /// True if a person arranged the diagram; false if it is as RoboTool created it.
+    /// True if a person arranged the diagram, false if it is as RoboTool created it.
     [[nodiscard]] bool is_drawn() const { return elements > 0 && stacked * 100 <= boxes * 5; }
     /// True if the diagram matches this model.
     [[nodiscard]] bool fits_model() const { return is_drawn() && found * 100 >= elements * 95; }
@@ -36,23 +36,23 @@ struct StoredDiagram {
 /// The diagrams of the components of one or more models.
 class StoredDiagrams {
 public:
-    /// No diagrams.
+    /// Contains no diagrams.
     StoredDiagrams() = default;
-    /// Reads the diagrams as `read` does, but reports no findings; for servers.
+    /// Reads the diagrams as `read` does, but reports no findings. Servers use this constructor.
     StoredDiagrams(const frontend::Model& model, const diagnostics::SourceManager& sources, AirdFiles& files,
                    diagnostics::Budget* budget);
 
     /// Adds the diagrams in files `representations.aird` in the folders of the model's files and in their common
     /// folder. A file that cannot be read is reported once.
     void read(const frontend::Model& model, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out);
-    /// Adds the diagrams of a file with this path. If a component has several diagrams, the one that fits best is used;
-    /// of those that fit equally well, the first.
+    /// Adds the diagrams of a file with this path. If a component has several diagrams, the first of those that fit
+    /// best is used.
     void add(const Aird& aird, const std::string& path, const frontend::Model& model,
              const diagnostics::SourceManager& sources, diagnostics::Budget* budget);
 
-    /// The diagram of a component, even if it does not match this model; null if there is none.
+    /// Returns the diagram of a component, even if it does not match this model, or null if there is none.
     [[nodiscard]] const StoredDiagram* diagram_of(const frontend::Declaration* component) const;
-    /// The layout of a component; null if there is no diagram that matches this model.
+    /// Returns the layout of a component, or null if there is no diagram that matches this model.
     [[nodiscard]] const StoredLayout* find(const frontend::Declaration* component) const;
     /// Reports why the diagram of a component is not used, or which parts it does not contain.
     void explain_mismatch(const frontend::Declaration* component, diagnostics::Diagnostics& out) const;

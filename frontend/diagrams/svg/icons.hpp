@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The icons of diagrams, drawn for this project.
+// Draws the icons of diagrams, which were designed for this project.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robochart::diagrams {
 
-/// The contents of an SVG group whose origin is the centre of the icon.
+/// Returns the contents of an SVG group whose origin is the centre of the icon.
 [[nodiscard]] std::string icon_svg(Icon icon);
 
 }  // namespace robochart::diagrams

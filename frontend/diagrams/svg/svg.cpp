@@ -75,7 +75,7 @@ std::string_view class_of(Look look) {
     return "";
 }
 
-/// The path of a line with rounded corners.
+/// Returns the path of a line with rounded corners.
 std::string path_of(const std::vector<Point>& points) {
     constexpr double radius = 5;
     std::string path = fmt::format("M{} {}", format_number(points[0].x), format_number(points[0].y));
@@ -95,7 +95,7 @@ std::string path_of(const std::vector<Point>& points) {
     return path + fmt::format("L{} {}", format_number(points.back().x), format_number(points.back().y));
 }
 
-/// An open arrowhead at `tip`, for a line that comes from `before`.
+/// Returns an open arrowhead at `tip`, for a line that comes from `before`.
 std::string head_of(const Point& before, const Point& tip) {
     constexpr double length = 7;
     constexpr double half = 4;
@@ -134,14 +134,15 @@ public:
     }
 
 private:
-    /// The class attribute of a group, including the classes from the options.
+    /// Returns the class attribute of a group, including the classes from the options.
     [[nodiscard]] std::string class_attribute(std::string_view own, std::size_t element) const {
         const auto found =
             element == none ? options_.classes.end() : options_.classes.find(elements_.all_elements()[element].id);
         return found == options_.classes.end() ? std::string(own) : fmt::format("{} {}", own, found->second);
     }
 
-    /// `id="…" data-element="…"`; a counter replaces the id of anything that is not an element of the model.
+    /// Returns the attributes `id="…" data-element="…"`. A counter replaces the id of a group that shows no element of
+    /// the model.
     std::string id_attributes(std::size_t element) {
         if (element == none) return fmt::format("id=\"{}x{}\"", options_.id_prefix, ++others_);
         const std::string& id = elements_.all_elements()[element].id;
@@ -150,7 +151,7 @@ private:
         return fmt::format("id=\"{}{}{}\" data-element=\"{}\"", options_.id_prefix, id, again, id);
     }
 
-    /// The tooltip: kind and name, and elided text.
+    /// Returns the tooltip: kind and name, and the complete text if it is elided.
     [[nodiscard]] std::string tooltip_text(std::size_t element, const std::string& whole) const {
         std::string text;
         if (element != none) {

@@ -20,13 +20,13 @@ enum class Theme {
 /// Options for writing a picture.
 struct SvgOptions {
     Theme theme = Theme::automatic;
-    std::string id_prefix;  ///< before all ids, if one document contains several pictures
+    std::string id_prefix;  ///< prefix of all ids, if one document contains several pictures
     /// Additional classes for groups, by element id, for style sheets of the enclosing document.
     std::map<std::string, std::string> classes = {};
 };
 
-/// The picture. The group of an element has the element's id; a second group of the same element has `ID-2`.
-/// `data-element` is the id without prefix or number. Names are always escaped as text.
+/// Returns the picture as SVG. The group of an element has the element's id, and a second group of the same element has
+/// `ID-2`. The attribute `data-element` is the id without prefix or number. Names are always escaped.
 [[nodiscard]] std::string render_svg(const Picture& picture, const Elements& elements, const SvgOptions& options = {});
 
 }  // namespace robochart::diagrams
