@@ -330,8 +330,8 @@ void Asserter::add_initialisation(const ir::Property& property, Obligation& out)
 }
 
 /// Writes `event E is missed in S for n time units`: while the machine is in S, n consecutive time units can pass in
-/// which E is never offered. The platform accepts calls, outputs and writes at once. `is not missed` is SKIP [T= M |\
-/// {missed__} (see `missing`).
+/// which E is never offered. The platform accepts calls, outputs and writes at once. `is not missed` is
+/// SKIP [T= M |\ {missed__} (see `missing`).
 void Asserter::missed_event(const ir::Property& property, Obligation& out) {
     const ir::Node* state = nullptr;
     for (const ir::Node& node : find_component(property.subject)->machine->nodes)
