@@ -33,6 +33,7 @@
 #include "frontend/names/names.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/project/units.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/instantiate/given_constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
@@ -314,6 +315,26 @@ bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
     });
 }
 
+/// True if some assertion or CSP block is decided in the untimed semantics.
+bool is_decided_untimed(const frontend::Model& model) {
+    const auto untimed = [](const auto& item) { return item.time != frontend::AssertionTime::timed; };
+    return std::ranges::any_of(model.files, [&](const auto& file) {
+        return std::ranges::any_of(file->assertions, untimed) || std::ranges::any_of(file->csp_blocks, untimed);
+    });
+}
+
+/// Claims of claims files are timed. If there are no others to decide, RC-U01 would warn of checks that nobody makes.
+void drop_untimed_findings(Project& project, const LoadSettings& settings) {
+    const bool claims =
+        std::ranges::any_of(project.claims->files, [](const auto& file) { return !file->claims.empty(); });
+    if (!claims || is_decided_untimed(*project.model)) return;
+    const diagnostics::Diagnostics all = std::move(project.diagnostics);
+    project.diagnostics = {};
+    prepare_project(project, settings, all.budget());
+    project.diagnostics.allow_code(std::string(frontend::rules::untimed.code));
+    project.diagnostics.add(all);
+}
+
 /// Divides the project into its parts.
 std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettings& settings,
                                 const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
@@ -332,7 +353,10 @@ std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettin
         parts.front().project->diagnostics.add(findings.findings_in_texts(claims));
     }
     if (parts.empty()) parts.push_back({std::move(whole), false});
-    for (const Part& part : parts) find_unit(*part.project);
+    for (const Part& part : parts) {
+        find_unit(*part.project);
+        drop_untimed_findings(*part.project, settings);
+    }
     return parts;
 }
 
@@ -381,6 +405,7 @@ std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Bud
     std::vector<Part> parts;
     parts.push_back({read(settings.load, budget), false});
     find_unit(*parts.front().project);
+    drop_untimed_findings(*parts.front().project, settings.load);
     instantiate_parts(parts, settings);
     check_claims(parts);
     parts.front().project->seconds = seconds_since(start);
