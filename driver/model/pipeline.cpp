@@ -152,6 +152,10 @@ void find_shared_names(Project& project) {
             project.shared_names.insert(ref.path);
 }
 
+ir::Carriers carriers_of(const Settings& settings) {
+    return settings.claims.concrete ? ir::Carriers::robotool : ir::Carriers::beyond;
+}
+
 /// Lowers the parts and makes them finite. A constant from the settings applies to the parts that have it. The first
 /// part reports constants that no part has.
 void instantiate_parts(const std::vector<Part>& parts, const Settings& settings) {
@@ -166,7 +170,6 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
     for (const Part& part : parts) lowered = lower(*part.project, settings.load) && lowered;
     lowered = leave_out_robosim(parts, settings.load) && lowered;
     for (const Part& part : parts) find_shared_names(*part.project);
-    const auto carriers = settings.claims.concrete ? ir::Carriers::robotool : ir::Carriers::beyond;
     bool all = lowered;
     for (const Part& part : parts) {
         if (!is_acceptable(*part.project, settings.load)) continue;
@@ -180,7 +183,7 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
                 std::ranges::any_of(parts, [&](const Part& other) { return has(other, constant.first); });
             return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
         });
-        all = make_finite(*part.project, options, carriers) && all;
+        all = make_finite(*part.project, options, carriers_of(settings)) && all;
     }
     if (all) check_component(parts, settings.load);
 }
@@ -366,20 +369,6 @@ bool includes_time(Times times, csp_emit::Time time) {
     return times != (time == csp_emit::Time::timed ? Times::untimed : Times::timed);
 }
 
-std::unique_ptr<Project> with_data(const Project& project, ir::System system, ir::Instantiation instantiation) {
-    auto result = std::make_unique<Project>(project.texts);
-    result->name = project.name;
-    result->label = project.label;
-    result->folder = project.folder;
-    result->shared_names = project.shared_names;
-    result->unit = project.unit;
-    result->unit_place = project.unit_place;
-    result->diagnostics.set_budget(project.diagnostics.budget());
-    result->system = std::move(system);
-    result->instantiation = std::move(instantiation);
-    return result;
-}
-
 std::unique_ptr<Project> with_carriers_of_robotool(const Project& project) {
     diagnostics::Diagnostics known;  // the project has reported them
     known.set_budget(project.diagnostics.budget());
@@ -393,9 +382,9 @@ std::unique_ptr<Project> with_carriers_of_robotool(const Project& project) {
 namespace {
 
 /// Resolves the claims of all parts without errors.
-void check_claims(const std::vector<Part>& parts) {
+void check_claims(const std::vector<Part>& parts, const Settings& settings) {
     for (const Part& part : parts)
-        if (part.project->diagnostics.ok()) check_claim_files(*part.project);
+        if (part.project->diagnostics.ok()) check_claim_files(*part.project, carriers_of(settings));
 }
 
 }  // namespace
@@ -407,7 +396,7 @@ std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Bud
     find_unit(*parts.front().project);
     drop_untimed_findings(*parts.front().project, settings.load);
     instantiate_parts(parts, settings);
-    check_claims(parts);
+    check_claims(parts, settings);
     parts.front().project->seconds = seconds_since(start);
     return std::move(parts.front().project);
 }
@@ -569,7 +558,7 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
         sound.push_back({part_of(whole, found->sound.unit, whole.name, settings.load, found->sound.texts), part.again});
         sound.front().project->claims->files = whole.claims->files;
         instantiate_parts(sound, settings);
-        check_claims(sound);
+        check_claims(sound, settings);
         separate_broken_claims(sound, settings);  // errors in blocks are only found if there are no others
         std::set<diagnostics::SourceId> wrong;
         std::string named;  // name of the first file with an error
@@ -594,7 +583,7 @@ std::vector<Part> load_parts(Settings& settings, diagnostics::Budget& budget) {
     const OtherWords other = name_claims(*whole, settings);
     std::vector<Part> parts = split_project(std::move(whole), settings.load, frontend::split_into_units);
     instantiate_parts(parts, settings);
-    check_claims(parts);
+    check_claims(parts, settings);
     separate_broken_claims(parts, settings);
     name_core_claims(parts, other, settings);
     label_parts(parts);
@@ -629,8 +618,8 @@ bool core_wanted(const Part& part, const Settings& settings) {
         return robosim || !file->probabilistic_assertions.empty() ||
                std::ranges::any_of(file->kept, [](const auto& foreign_part) { return foreign_part.claims; });
     });
-    const bool instead = checks && !claims && project.claims->checked.claims.empty() && settings.claims.names.empty() &&
-                         !settings.claims.sizes;
+    const bool of_files = !project.claims->checked.claims.empty() || !project.claims->instantiated.empty();
+    const bool instead = checks && !claims && !of_files && settings.claims.names.empty() && !settings.claims.sizes;
     return !part.again && (settings.claims.core || instead) && settings.swarm.file.empty();
 }
 

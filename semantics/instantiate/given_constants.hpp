@@ -4,6 +4,8 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "semantics/ir/ir.hpp"
 
@@ -13,6 +15,12 @@ namespace robochart::ir {
 /// "S::NAME"; the value is a RoboChart literal. A name refers to every constant whose path equals it or ends with it.
 /// Two names of one source must not refer to the same constant (RC-S24).
 using GivenConstants = std::map<std::string, std::string>;
+
+/// The constants that `with constant` of an assertion or a claim sets, as in Property::constants.
+using SetConstants = std::vector<std::pair<std::string, ExprPtr>>;
+
+/// A RoboChart literal of a type: `3`, `-0.5`, `true`, `Colour::red`. Null if the text is not one.
+[[nodiscard]] ExprPtr parse_literal(const System&, TypeId, const std::string& text);
 
 /// The names of `weaker` that `stronger` does not override; different spellings of a name are recognised. If `stronger`
 /// overrides only some constants of a name, the name is kept, so that both together are rejected (RC-S24). Otherwise it
