@@ -19,6 +19,7 @@
 #include "base/diagnostics/json_values.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "driver/claims/followed_claim.hpp"
+#include "driver/model/instantiated_claims.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/model/project_claims.hpp"
 
@@ -45,9 +46,14 @@ private:
             const std::string& path = claim.component.path;
             if (path != header.component && !path.ends_with("::" + header.component)) continue;
             followed_.emplace_back(claim, project_.system, project_.unit, drops_of(path));
-            if (const std::string why = claims::why_not_followed(claim); !why.empty()) followed_.back().give_up(why);
+            if (const std::string why = why_not_followed(claim, header); !why.empty()) followed_.back().give_up(why);
             for (const std::string& word : header.unobserved) hide(followed_.back(), word);
         }
+    }
+    [[nodiscard]] std::string why_not_followed(const CheckedClaim& claim,
+                                               const conformance::TraceHeader& header) const {
+        const std::string why = claims::why_not_followed(claim);
+        return why.empty() ? driver::why_other_constants(project_, claim, header.constants) : why;
     }
     const FollowedClaim::Drops& drops_of(const std::string& component) {
         const auto [known, fresh] = drops_.try_emplace(component);

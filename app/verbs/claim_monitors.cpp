@@ -23,6 +23,7 @@
 #include "claims/decide/automaton.hpp"
 #include "claims/decide/letters.hpp"
 #include "conformance/monitor/monitor.hpp"
+#include "driver/model/instantiated_claims.hpp"
 #include "driver/model/project_claims.hpp"
 #include "driver/settings/rules.hpp"
 
@@ -180,7 +181,7 @@ bool write_monitor(const CheckedClaim& claim, driver::Project& project, const Op
         return true;
     }
     try {
-        const ClaimTables made(claim, project, options.code.cycle);
+        const ClaimTables made(claim, driver::project_of(project, claim), options.code.cycle);
         const std::string below = fmt::format("monitor/{}{}/", project.folder, claim.name);
         const std::string subject = fmt::format("\"{}\"", diagnostics::escape_for_display(claim.wording));
         const auto files = conformance::monitor_files(made.tables(), claim.name, subject);

@@ -18,9 +18,9 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "app/rules/claim_guard.hpp"
+#include "app/rules/claim_duties.hpp"
 #include "app/rules/record_rules.hpp"
-#include "app/rules/rule_guard.hpp"
+#include "app/rules/rule_duties.hpp"
 #include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
@@ -219,12 +219,12 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Proj
     std::string error;
     const GuardedTimes times{cycle, durations::nanoseconds_of_seconds(simulation.scenario.time_unit),
                              options.load.inputs.front()};
-    auto guard = make_rule_guard(options.simulate.guarding_rules, emission, times, options, error);
-    if (guard == nullptr)
+    auto duties = find_rule_duties(options.simulate.guarding_rules, emission, times, options, error);
+    if (duties == nullptr)
         simulation.project->diagnostics.report(
             driver::rules::bad_option, {},
             {fmt::format("--monitor {}: {}", diagnostics::escape_for_display(options.simulate.guarding_rules), error)});
-    return guard;
+    return duties == nullptr ? nullptr : std::make_unique<FollowGuard>(std::move(duties));
 }
 
 }  // namespace
@@ -234,7 +234,7 @@ namespace {
 /// Two guards of the same robots.
 class BothGuards final : public simulation::Guard {
 public:
-    BothGuards(std::unique_ptr<Guard> inner, std::unique_ptr<ClaimGuard> claims)
+    BothGuards(std::unique_ptr<Guard> inner, std::unique_ptr<Guard> claims)
         : inner_(std::move(inner)), claims_(std::move(claims)) {}
     [[nodiscard]] Maker make_observer(Maker other) override {
         return claims_->make_observer(inner_->make_observer(std::move(other)));
@@ -245,7 +245,7 @@ public:
 
 private:
     std::unique_ptr<Guard> inner_;
-    std::unique_ptr<ClaimGuard> claims_;
+    std::unique_ptr<Guard> claims_;
 };
 
 std::unique_ptr<simulation::Guard> make_monitors(Simulation& simulation, const Options& options);
@@ -258,8 +258,9 @@ std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Opti
     std::vector<FollowedKind> kinds;
     for (std::size_t kind = 0; kind < simulation.scenario.kind_count(); ++kind)
         kinds.push_back({&simulation.project_of(kind), &simulation.emission_of(kind)});
-    auto claims = make_claim_guard(simulation.scenario, std::move(kinds), *simulation.project, options);
-    if (claims == nullptr) return monitors;
+    auto duties = find_claim_duties(simulation.scenario, std::move(kinds), *simulation.project, options);
+    if (duties == nullptr) return monitors;
+    auto claims = std::make_unique<FollowGuard>(std::move(duties));
     if (monitors == nullptr) return claims;
     return std::make_unique<BothGuards>(std::move(monitors), std::move(claims));
 }

@@ -22,7 +22,7 @@
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/pages/simulation_html.hpp"
-#include "app/rules/claim_guard.hpp"
+#include "app/rules/claim_duties.hpp"
 #include "app/verbs/monitor.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"

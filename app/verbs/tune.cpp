@@ -15,7 +15,7 @@
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
-#include "app/rules/claim_guard.hpp"
+#include "app/rules/claim_duties.hpp"
 #include "app/verbs/simulate.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"

@@ -37,6 +37,7 @@
 #include "driver/model/block_values.hpp"
 #include "driver/model/broken_claims.hpp"
 #include "driver/model/claim_files.hpp"
+#include "driver/model/instantiated_claims.hpp"
 #include "driver/model/places.hpp"
 #include "driver/model/preferences.hpp"
 #include "driver/model/project_claims.hpp"
@@ -66,6 +67,8 @@ std::string summary_text(const std::vector<driver::Part>& parts) {
         const ir::System& system = part.project->system;
         assertions += system.properties.size();
         claims += part.project->claims->checked.claims.size();
+        for (const driver::InstantiatedClaims& own : part.project->claims->instantiated)
+            assertions += own.project->system.properties.size();
         if (part.again) continue;
         modules += system.modules.size();
         controllers += system.controllers.size();
@@ -462,8 +465,11 @@ std::shared_ptr<const conformance::CycleClaims> cycle_claims(const driver::Proje
     claims.unit = project.claims->checked.unit;
     for (const claims::CheckedClaim& claim : project.claims->checked.claims)
         if (claim.raised && claim.component.path == ir::qualified_name(component) &&
-            claim.component.robosim == ir::is_robosim(project.system, component))
+            claim.component.robosim == ir::is_robosim(project.system, component)) {
             claims.claims.push_back(claim);
+            const std::string other = driver::why_other_constants(project, claim);
+            if (!other.empty()) claims.refused.emplace(claim.name, other);
+        }
     if (claims.claims.empty()) return nullptr;
     return std::make_shared<const conformance::CycleClaims>(std::move(claims));
 }

@@ -6,11 +6,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <tuple>
 
 #include "base/diagnostics/spelling.hpp"
 #include "claims/checks/duration.hpp"
+#include "claims/checks/resolve_constants.hpp"
 #include "claims/checks/resolve_events.hpp"
 #include "claims/checks/resolve_facts.hpp"
 #include "claims/checks/rules.hpp"
@@ -126,17 +128,25 @@ private:
         throw ClaimError{};
     }
 
-    [[nodiscard]] const Component& named_component(const Name& name, const ClaimFile& file) const {
+    /// If several parts have the name, the result is the part of the component with the path `inside`.
+    [[nodiscard]] const Component& named_component(const Name& name, const ClaimFile& file,
+                                                   const std::string& inside) const {
         const std::vector<const Component*> visible = visible_components(file);
         std::vector<const Component*> found, exact;
         for (const Component* component : visible) {
             if (component->path != name.text && !component->path.ends_with("::" + name.text)) continue;
-            found.push_back(component);
+            // A controller that is declared in its module is listed on its own, too, with parts of the same paths.
+            const auto is_same = [&](const Component* other) {
+                return other->path == component->path && other->robosim == component->robosim;
+            };
+            if (std::ranges::none_of(found, is_same)) found.push_back(component);
             if (!component->part) exact.push_back(component);
         }
         prefer_robochart(exact);
         if (exact.empty()) prefer_robochart(found);
         if (exact.size() == 1) return *exact.front();
+        const auto is_inside = [&](const Component* part) { return part->path.starts_with(inside + "::"); };
+        if (exact.empty() && std::ranges::any_of(found, is_inside)) std::erase_if(found, std::not_fn(is_inside));
         if (found.size() == 1) return *found.front();
         if (found.size() > 1)
             refuse_component(name.span, fmt::format("`{}` is not unique: there are {}", name.text, list(found)));
@@ -154,7 +164,7 @@ private:
 
     CheckedOrder check_order(const Order& order, const ClaimFile& file) {
         CheckedOrder result;
-        result.component = named_component(order.component, file);
+        result.component = named_component(order.component, file, "");
         result.span = order.span;
         if (result.component.robosim)
             refuse(
@@ -208,7 +218,7 @@ private:
         result.name = claim.name.text;
         result.wording = claim.wording;
         result.span = claim.span;
-        result.component = claim.component ? named_component(*claim.component, file) : only_component(claim, file);
+        result.component = claim.component ? named_component(*claim.component, file, "") : only_component(claim, file);
         result.assumption = claim.assumption;
         for (const Spontaneous& event : result.component.spontaneous)
             if (reported_.emplace(result.component.path, event.machine, event.event).second)
@@ -242,7 +252,18 @@ private:
         if (!body.count.empty()) result.body.count = Fraction::of_decimal(body.count).numerator();
         check_scope_of_cycle(result);
         check_meaning(claim, result);
+        add_constants(claim, file, result);
         return result;
+    }
+
+    void add_constants(const Claim& claim, const ClaimFile& file, CheckedClaim& checked) {
+        const ConstantResolver constants(model_.system, components_, result_.unit, diagnostics_);
+        for (const SetConstant& setting : claim.constants) {
+            if (checked.assumption)
+                refuse(setting.name.span,
+                       "an assumption restricts inputs, for claims with any constants; a claim sets constants");
+            constants.add(setting, named_component(setting.component, file, checked.component.path), checked);
+        }
     }
 
     /// `possible in S`, where S is a state and no event.

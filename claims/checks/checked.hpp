@@ -10,6 +10,7 @@
 #include "claims/checks/components.hpp"
 #include "claims/checks/fraction.hpp"
 #include "claims/syntax/syntax.hpp"
+#include "semantics/instantiate/given_constants.hpp"
 
 namespace robochart::claims {
 
@@ -97,7 +98,9 @@ struct CheckedClaim {
     CheckedBody body;
     std::vector<std::size_t> remembered;  ///< channels whose last value is used
     std::vector<Fact> facts;              ///< the facts about states and variables that the claim reads
-    bool raised = false;  ///< true if the claim is about raised events, which exist only in control cycles
+    bool raised = false;         ///< true if the claim is about raised events, which exist only in control cycles
+    ir::SetConstants constants;  ///< those of `with constant`
+    std::vector<std::string> settings;  ///< the same as options, sorted: "p::Patrol::patience=30"
     Span span;
 };
 

@@ -3,6 +3,10 @@
 #include "claims/checks/components.hpp"
 
 #include <algorithm>
+#include <map>
+
+#include "semantics/ir/own_constants.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::claims {
 namespace {
@@ -50,16 +54,15 @@ std::vector<const ir::ConnectionEnd*> ends_of(const std::vector<ir::Connection>&
 
 class Lister {
 public:
-    explicit Lister(const ir::System& system) : system_(system) {}
+    explicit Lister(const ir::System& system) : system_(system), own_(ir::own_constants(system)) {}
 
     std::vector<Component> list_all() {
         for (const ir::Module& module : system_.modules) add_module(module);
         for (const ir::Controller& controller : system_.controllers)
-            add_controller(controller, qualified(controller.package, controller.path), controller.package, false);
+            add_controller(controller, qualified(controller.package, controller.path), controller.package, nullptr);
         for (std::uint32_t i = 0; i < system_.machines.size(); ++i) {
             const ir::Machine& machine = system_.machines[i];
-            if (machine.kind == ir::MachineKind::state_machine)
-                add_machine({i}, {}, qualified(machine.package, machine.path), machine.package, false);
+            if (machine.kind == ir::MachineKind::state_machine) result_.push_back(machine_alone({i}));
         }
         return std::move(result_);
     }
@@ -77,14 +80,55 @@ private:
         for (const ir::ControllerInstance& instance : module.controllers)
             add_definitions(system_.controller(instance.controller), component);
         const std::string path = component.path;
-        for (std::size_t i = 0; i < module.controllers.size(); ++i)
+        for (const ir::Constant& constant : module.platform.constants)
+            add_constant(constant, ir::constant_name(module.package, module.name, constant.name), component);
+        for (std::size_t i = 0; i < module.controllers.size(); ++i) {
             add_spontaneous(system_.controller(module.controllers[i].controller), &module, i, component);
+            add_sources(system_.controller(module.controllers[i].controller), &module, component);
+        }
         for (const ir::ControllerInstance& instance : module.controllers)
             add_machines(system_.controller(instance.controller), path + "::" + instance.name, component);
         result_.push_back(std::move(component));
         for (const ir::ControllerInstance& instance : module.controllers)
-            add_controller(system_.controller(instance.controller), path + "::" + instance.name, module.package, true);
+            add_controller(system_.controller(instance.controller), path + "::" + instance.name, module.package,
+                           &module);
     }
+
+    // ------------------------------------------------------------ constants
+
+    /// The length of a cycle is not a constant that claims set.
+    void add_constant(const ir::Constant& constant, const std::string& source, Component& component) const {
+        add_source(source, component);
+        if (!ir::is_cycle_name(source)) component.constants.push_back({constant.name, source, constant.type});
+    }
+    /// A machine's own constant determines its value in the controllers that run the machine, too.
+    void add_source(const std::string& source, Component& component) const {
+        component.sources.insert(source);
+        if (const auto own = own_.find(source); own != own_.end()) component.sources.insert(own->second);
+    }
+    /// `part` names the machine or operation in the controller.
+    void add_sources(const ir::Module* module, const ir::Controller& controller, const std::string& part,
+                     const ir::Machine& machine, Component& component) const {
+        for (std::uint32_t i = 0; i < machine.constants.size(); ++i)
+            for (const ir::ConstantSource& source :
+                 ir::constant_sources(system_, module, controller, part, machine, ir::ConstantId{i}))
+                add_source(source.name, component);
+    }
+    void add_sources(const ir::Controller& controller, const ir::Module* module, Component& component) const {
+        for (std::uint32_t i = 0; i < controller.constants.size(); ++i)
+            add_source(ir::constant_source(module, controller, ir::ConstantId{i}).name, component);
+        for (const ir::MachineInstance& instance : controller.machines)
+            add_sources(module, controller, instance.name, system_.machine(instance.machine), component);
+        add_sources_of_operations(controller, module, component);
+    }
+    void add_sources_of_operations(const ir::Controller& controller, const ir::Module* module,
+                                   Component& component) const {
+        for (std::size_t i = 0; i < controller.definitions.size(); ++i)
+            add_sources(module, controller, controller.definition_names[i], system_.machine(controller.definitions[i]),
+                        component);
+    }
+
+    // ------------------------------------------------------------ parts
 
     /// `module`: the module in which the controller runs, as its part `number`; null: it is alone.
     void add_spontaneous(const ir::Controller& controller, const ir::Module* module, std::size_t number,
@@ -118,23 +162,51 @@ private:
             component.machines.push_back({path + "::" + instance.name, instance.machine});
     }
 
+    /// `module`: the module in which the controller runs; null: it is alone.
     void add_controller(const ir::Controller& controller, const std::string& path, const std::string& package,
-                        bool part) {
+                        const ir::Module* module) {
+        const bool part = module != nullptr;
         Component component{ir::ComponentKind::controller, path, package, part, controller.robosim, {}};
         add_events(controller.events, component);
         for (const ir::OperationSignature& operation : controller.operations) add_call(operation, component);
         add_definitions(controller, component);
         add_machines(controller, path, component);
         add_spontaneous(controller, nullptr, 0, component);
+        for (std::uint32_t i = 0; i < controller.constants.size(); ++i)
+            add_constant(controller.constants[i], ir::constant_source(module, controller, ir::ConstantId{i}).name,
+                         component);
+        add_sources(controller, module, component);
         result_.push_back(std::move(component));
-        for (const ir::MachineInstance& instance : controller.machines)
-            add_machine(instance.machine, instance.definitions, path + "::" + instance.name, package, true);
+        for (const ir::MachineInstance& instance : controller.machines) {
+            Component machine = machine_at(instance.machine, instance.definitions, path + "::" + instance.name);
+            machine.package = package;
+            machine.part = true;
+            const ir::Machine& declared = system_.machine(instance.machine);
+            for (std::uint32_t i = 0; i < declared.constants.size(); ++i)
+                add_constant(
+                    declared.constants[i],
+                    ir::constant_source(system_, module, &controller, instance.name, declared, ir::ConstantId{i}).name,
+                    machine);
+            add_sources_of_operations(controller, module, machine);
+            result_.push_back(std::move(machine));
+        }
     }
 
-    void add_machine(ir::MachineId id, const std::vector<ir::MachineId>& definitions, const std::string& path,
-                     const std::string& package, bool part) {
+    [[nodiscard]] Component machine_alone(ir::MachineId id) const {
         const ir::Machine& machine = system_.machine(id);
-        Component component{ir::ComponentKind::machine, path, package, part, machine.robosim, {}};
+        Component component = machine_at(id, {}, qualified(machine.package, machine.path));
+        component.package = machine.package;
+        for (std::uint32_t i = 0; i < machine.constants.size(); ++i)
+            add_constant(machine.constants[i],
+                         ir::constant_source(system_, nullptr, nullptr, "", machine, ir::ConstantId{i}).name,
+                         component);
+        return component;
+    }
+
+    [[nodiscard]] Component machine_at(ir::MachineId id, const std::vector<ir::MachineId>& definitions,
+                                       const std::string& path) const {
+        const ir::Machine& machine = system_.machine(id);
+        Component component{ir::ComponentKind::machine, path, "", false, machine.robosim, {}};
         component.machines.push_back({path, id});
         add_events(machine.events, component);
         add_registers(machine, component);
@@ -145,10 +217,11 @@ private:
             else
                 add_call(machine.operations[i], component);
         }
-        result_.push_back(std::move(component));
+        return component;
     }
 
     const ir::System& system_;
+    std::map<std::string, std::string> own_;  ///< maps a constant of a part to the machine's own constant
     std::vector<Component> result_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,13 @@ struct MachinePart {
     ir::MachineId machine;
 };
 
+/// A constant of a component that a claim can set.
+struct ComponentConstant {
+    std::string name;
+    std::string source;  ///< the constant that determines its value, as in ir::Property::constants
+    ir::TypeId type;
+};
+
 /// An event that triggers transitions of a machine although no other element raises it. These transitions fire
 /// spontaneously.
 struct Spontaneous {
@@ -45,6 +53,8 @@ struct Component {
     std::vector<std::string> defined = {};  ///< operations that the model defines for this component
     std::vector<MachinePart> machines = {};
     std::vector<Spontaneous> spontaneous = {};
+    std::vector<ComponentConstant> constants = {};  ///< of the component itself, without those of its parts
+    std::set<std::string> sources = {};             ///< the constants that determine its behaviour; with those of parts
 };
 
 /// The components of a system; each before its parts.

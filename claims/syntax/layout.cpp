@@ -18,7 +18,7 @@ using words::is_one_of;
 bool comes_before_sign(const Token& token) {
     if (token.kind == Tok::number || is_one_of(token, {")"})) return false;
     return token.kind == Tok::symbol ||
-           is_one_of(token, {"and", "or", "not", "with", "within", "least", "every", "any"});
+           is_one_of(token, {"and", "or", "not", "with", "within", "least", "every", "any", "to"});
 }
 
 bool no_blank_between(const Token* before, const Token& left, const Token& right) {

@@ -70,7 +70,7 @@ Pattern Parser::parse_pattern() {
         }
         expect(")");
     }
-    if (is_at("with") && !is_at("constant", 1)) {
+    if (is_at("with") && !at_constants()) {
         take_token();
         pattern.condition = parse_conjunction();
     }

@@ -102,11 +102,6 @@ bool Parser::at_words(std::initializer_list<std::string_view> words) const {
     return std::ranges::all_of(words, [&](std::string_view word) { return is_at(word, ahead++); });
 }
 
-void Parser::refuse(std::string_view form, std::string_view instead) {
-    diagnostics_.report(rules::not_supported, peek().span, {std::string(form), std::string(instead)});
-    throw SyntaxError{};
-}
-
 bool Parser::at_item() const {
     if (at_end()) return true;
     const bool named = peek(1).kind == Tok::word && (is_at(":", 2) || is_at("of", 2));
@@ -212,11 +207,56 @@ Claim Parser::parse_claim() {
     const std::size_t begin = at_;
     claim.scope = parse_scope();
     claim.body = parse_body();
-    if (is_at("with") && is_at("constant", 1)) refuse("with constant", "`--const` sets a constant for all claims");
+    if (at_constants()) claim.constants = parse_constants();
     claim.wording = one_line(std::span(tokens_).subspan(begin, at_ - begin));
     claim.span = span_since(from);
     if (!at_item() && !is_at("import") && !is_at("unit")) fail("the end of the claim");
     return claim;
+}
+
+/// True for `with constant C`. An event may carry a value called `constant`: `goTo(constant) with constant > 3`.
+bool Parser::at_constants() const {
+    return is_at("with") && is_at("constant", 1) && peek(2).kind == Tok::word && !is_connective(peek(2).text);
+}
+
+/// with constant C of X set to V, and constant C of X set to V: separated like the constants of assertions.
+std::vector<SetConstant> Parser::parse_constants() {
+    expect("with");
+    std::vector<SetConstant> result{parse_constant()};
+    while (is_at("and") || is_at(",")) {
+        (void)accept(",");
+        expect("and");
+        result.push_back(parse_constant());
+    }
+    return result;
+}
+
+SetConstant Parser::parse_constant() {
+    SetConstant result;
+    expect("constant");
+    result.name = simple_name("the name of a constant");
+    expect("of");
+    result.component = qualified_name("the name of a component");
+    expect("set");
+    expect("to");
+    const Span from = peek().span;
+    const bool negative = is_at("-");
+    if (at_time(negative ? 1 : 0)) {
+        result.duration = parse_duration();
+    } else if (peek(negative ? 1 : 0).kind == Tok::number) {
+        if (negative) take_token();
+        result.value = fmt::format("{}{}", negative ? "-" : "", take_token().text);
+    } else {
+        result.value = qualified_name("a number, a truth value, a literal or a time").text;
+    }
+    result.value_span = span_since(from);
+    return result;
+}
+
+/// True if a number with a unit of time follows. `unit 0.1 s` after a number begins an item.
+bool Parser::at_time(std::size_t ahead) const {
+    const bool begins_item = is_at("unit", ahead + 1) && peek(ahead + 2).kind == Tok::number;
+    return peek(ahead).kind == Tok::number && unit_of(peek(ahead + 1).text) != TimeUnit::none && !begins_item;
 }
 
 Scope Parser::parse_scope() {

@@ -32,7 +32,6 @@ private:
     // tokens
     [[nodiscard]] words::WordUse use_of(std::string_view word) const override;
     [[nodiscard]] bool at_words(std::initializer_list<std::string_view> words) const;
-    [[noreturn]] void refuse(std::string_view form, std::string_view instead);
     void skip_to_item();
     [[nodiscard]] bool at_item() const;
 
@@ -40,6 +39,10 @@ private:
     void parse_item(ClaimFile& file);
     Import parse_import();
     Claim parse_claim();
+    std::vector<SetConstant> parse_constants();
+    SetConstant parse_constant();
+    [[nodiscard]] bool at_constants() const;
+    [[nodiscard]] bool at_time(std::size_t ahead) const;
     Order parse_order();
     [[nodiscard]] bool at_duration_of_stay() const;
     [[nodiscard]] bool at_condition() const;

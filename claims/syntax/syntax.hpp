@@ -146,14 +146,23 @@ struct Body {
     Span span;
 };
 
+/// with constant NAME of COMPONENT set to VALUE
+struct SetConstant {
+    Name name, component;
+    std::string value;                 ///< a number, a truth value or a literal: "-3", "true", "Colour::red"
+    std::optional<Duration> duration;  ///< the value, if it is a time
+    Span value_span;
+};
+
 struct Claim {
     Name name;
     bool assumption = false;        ///< `assume`: runs that break it are not considered
     std::optional<Name> component;  ///< `of COMPONENT`
     Scope scope;
     Body body;
+    std::vector<SetConstant> constants;
     Span span;
-    std::string wording;  ///< scope and body on one line
+    std::string wording;  ///< scope, body and constants on one line
 };
 
 /// order COMPONENT : E first, E drops E

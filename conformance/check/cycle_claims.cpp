@@ -444,6 +444,10 @@ std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const C
         answers.claim = claim.name;
         answers.wording = claim.wording;
         answers.span = claim.span;
+        if (const auto refused = claims.refused.find(claim.name); refused != claims.refused.end()) {
+            answers.model.reason = answers.code.reason = refused->second;
+            continue;
+        }
         if (reads_values(claim) && !claims.carriers) {
             answers.model.reason = answers.code.reason = "it compares values: `--concrete` decides it for the carriers";
             continue;

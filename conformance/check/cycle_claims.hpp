@@ -4,6 +4,7 @@
 // if it fails, a finite run shows this. So a breadth-first search of the product with the monitor decides the claim.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct CycleClaims {
     std::vector<claims::CheckedClaim> claims;
     std::optional<std::int64_t> unit;  ///< nanoseconds of a time unit, if declared
     bool carriers = true;  ///< events have all values of the carriers; false: a few values, which represent all
+    std::map<std::string, std::string> refused = {};  ///< by the name of a claim: why it is not decided for this code
 };
 
 /// The model that the claims are about.

@@ -69,6 +69,52 @@ void add_claims(TimeClaims& list, std::vector<WaitingClaim>& claims) {
             claim, [&list, claim](const Turn& turn) { return list.store(list.decide(turn, claim), claim); }));
 }
 
+using Lists = std::vector<std::unique_ptr<TimeClaims>>;
+
+/// Lists the claims of claims files that are not decided in the script of the project: those that read states and
+/// variables, and those that set constants.
+class OtherScripts {
+public:
+    OtherScripts(const SearchContext& search, const ClassProject& classes, Lists& lists,
+                 std::vector<WaitingClaim>& claims, ClaimResults& results)
+        : search_(search), classes_(classes), lists_(lists), claims_(claims), results_(results) {}
+
+    void add_all(Project& project) {
+        add_showing(project);
+        for (const InstantiatedClaims& instantiated : project.claims->instantiated) {
+            Project& own = *instantiated.project;
+            own.label = project.label;
+            own.diagnostics.set_budget(project.diagnostics.budget());
+            own.instantiation.budget = project.instantiation.budget;
+            ClaimSettings settings = search_.settings.claims;
+            settings.core = false;
+            const csp_emit::Emission& script = emit_csp(own, settings, {}, Time::timed);
+            if (!own.diagnostics.ok()) project.diagnostics.add(own.diagnostics);
+            add(own, script, classes_.project ? Values::of_carriers : Values::of_project,
+                [&own](const csp_emit::Obligation& obligation) { return !is_in_other_script(own, obligation); });
+            lists_.back()->write_certificates();
+            add_showing(own);
+        }
+    }
+
+private:
+    void add_showing(Project& project) {
+        for (const ShowingScript& script : showing_scripts(project))
+            add(project, *script.emission, Values::of_project, [](const csp_emit::Obligation&) { return true; });
+    }
+    void add(Project& project, const csp_emit::Emission& script, Values values, ClaimFilter takes) {
+        lists_.push_back(
+            std::make_unique<TimeClaims>(project, script, search_, Time::timed, std::move(takes), values, results_));
+        add_claims(*lists_.back(), claims_);
+    }
+
+    const SearchContext& search_;
+    const ClassProject& classes_;
+    Lists& lists_;
+    std::vector<WaitingClaim>& claims_;
+    ClaimResults& results_;
+};
+
 /// A class of values has no probability, so probabilistic claims are decided for the values of carriers. The report
 /// states this if it also lists data that classes replace in other claims. `first`: the first claim of the project.
 void note_carriers_of_probabilities(const SearchContext& search, std::size_t first, ClaimResults& results) {
@@ -103,7 +149,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     Project& decided = classes.project ? *classes.project : project;
     for (const ir::KeptData& data : classes.kept) results.kept_data.push_back(described(project.sources, data));
     FreeData free_data(project, search.settings, classes);
-    std::vector<std::unique_ptr<TimeClaims>> times;
+    Lists times, others;
     std::vector<std::unique_ptr<FreeClaims>> free;
     std::vector<DividedClaims> divided;
     bool uses_classes = false;
@@ -113,14 +159,14 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
             continue;
         const auto add = [&](Project& of, Values values) {
             const auto takes = [&classes, &of, values](const csp_emit::Obligation& obligation) {
-                return !reads_facts(of, obligation) &&
+                return !is_in_other_script(of, obligation) &&
                        is_decided_in_carriers(classes, of.system, obligation) == (values == Values::of_carriers);
             };
             const csp_emit::Emission& script = emit_csp(of, search.settings.claims, search.settings.swarm, time);
             times.push_back(std::make_unique<TimeClaims>(of, script, search, time, takes, values, results));
             times.back()->write_certificates();
         };
-        const std::size_t first = results.assertions.size();
+        const std::size_t first = results.assertions.size(), lists = times.size() + others.size();
         add(decided, Values::of_project);
         uses_classes = uses_classes || (classes.project && !times.back()->claims().empty());
         free.push_back(std::make_unique<FreeClaims>(*times.back(), free_data, search, time));
@@ -131,23 +177,17 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
             add(project, Values::of_carriers);
             add_claims(*times.back(), claims);
         }
-        const bool shows = time == Time::timed && search.settings.swarm.file.empty();
-        if (shows)
-            for (const ShowingScript& script : showing_scripts(project)) {
-                const auto all = [](const csp_emit::Obligation&) { return true; };
-                times.push_back(std::make_unique<TimeClaims>(project, *script.emission, search, time, all,
-                                                             Values::of_project, results));
-                add_claims(*times.back(), claims);
-            }
-        if (in_carriers || (shows && !project.claims->showing.empty()))
-            divided.push_back({time, first, results.assertions.size()});
+        if (time == Time::timed && search.settings.swarm.file.empty())
+            OtherScripts(search, classes, others, claims, results).add_all(project);
+        if (times.size() + others.size() > lists + 1) divided.push_back({time, first, results.assertions.size()});
     }
     if (&decided != &project) project.diagnostics.add(decided.diagnostics);
     if (uses_classes) results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
     if (probabilities) probabilities->add_to(claims);
     if (!project.diagnostics.ok()) return;
     decide_in_turns(claims, search, [&] {
-        for (const auto& time : times) time->give_back();
+        for (const Lists* const lists : {&times, &others})
+            for (const auto& list : *lists) list->give_back();
         for (const auto& claims_of_time : free) claims_of_time->give_back();
         if (probabilities) probabilities->give_back();
     });

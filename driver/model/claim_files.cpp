@@ -15,6 +15,7 @@
 #include "claims/checks/rules.hpp"
 #include "claims/decide/letters.hpp"
 #include "claims/syntax/reader.hpp"
+#include "driver/model/instantiated_claims.hpp"
 #include "driver/settings/instantiation_options.hpp"
 #include "frontend/project/move_claims.hpp"
 #include "frontend/project/project.hpp"
@@ -212,6 +213,7 @@ void read_ignored_claims(Project& project, const LoadSettings& settings) {
     read_claim_files(project, reading);
     std::erase_if(project.claims->files, [&](const auto& file) { return !is_about(*file, *project.model); });
     check_claim_files(project, project.system);
+    instantiate_claims(project, ir::Carriers::beyond);
 }
 
 void divide_claim_files(const std::vector<std::shared_ptr<const ClaimFile>>& files, const std::vector<Part>& parts) {
@@ -301,27 +303,38 @@ std::string values_text(const claims::EventMatch& match, const claims::CheckedCl
     return fmt::format("{}{}`--range` and `--const` choose values", result, result.empty() ? "" : " here; ");
 }
 
+/// Decides `can take` as an assertion.
+void move_readiness(Project& project) {
+    std::vector<claims::CheckedClaim>& all = project.claims->checked.claims;
+    for (const claims::CheckedClaim& claim : all)
+        if (claim.body.kind == claims::BodyKind::can_take && !has_own_project(project, claim))
+            project.system.properties.push_back(readiness(claim, project));
+    std::erase_if(all, [](const claims::CheckedClaim& claim) { return claim.body.kind == claims::BodyKind::can_take; });
+}
+
+/// Reports conditions that no value of the finite instantiation satisfies.
+void check_values(const claims::CheckedClaim& claim, const Project& project, diagnostics::Diagnostics& diagnostics) {
+    try {
+        const auto letters = claims::letters_of(claim, project.system, project.instantiation, {});
+        for (const claims::EventMatch* match : claims::matches_without_value(claim, letters))
+            diagnostics.report(claims::rules::no_value, match->span,
+                               {match->text, values_text(*match, claim, project)});
+    } catch (const claims::NotDecided&) {
+        // The answer to the claim gives the reason.
+    } catch (const claims::NotComputable& error) {
+        diagnostics.report(claims::rules::wrong_value, claim.span, {error.what()});
+    }
+}
+
 }  // namespace
 
-void check_claim_files(Project& project) {
+void check_claim_files(Project& project, ir::Carriers carriers) {
     check_claim_files(project, project.system);
+    instantiate_claims(project, carriers);
+    for (const InstantiatedClaims& instantiated : project.claims->instantiated) move_readiness(*instantiated.project);
+    move_readiness(project);
     for (const claims::CheckedClaim& claim : project.claims->checked.claims)
-        if (claim.body.kind == claims::BodyKind::can_take)
-            project.system.properties.push_back(readiness(claim, project));
-    std::erase_if(project.claims->checked.claims,
-                  [](const claims::CheckedClaim& claim) { return claim.body.kind == claims::BodyKind::can_take; });
-    for (const claims::CheckedClaim& claim : project.claims->checked.claims) {
-        try {
-            const auto letters = claims::letters_of(claim, project.system, project.instantiation, {});
-            for (const claims::EventMatch* match : claims::matches_without_value(claim, letters))
-                project.diagnostics.report(claims::rules::no_value, match->span,
-                                           {match->text, values_text(*match, claim, project)});
-        } catch (const claims::NotDecided&) {
-            // The answer to the claim gives the reason.
-        } catch (const claims::NotComputable& error) {
-            project.diagnostics.report(claims::rules::wrong_value, claim.span, {error.what()});
-        }
-    }
+        check_values(claim, project_of(project, claim), project.diagnostics);
 }
 
 }  // namespace robochart::driver

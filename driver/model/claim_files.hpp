@@ -11,6 +11,7 @@
 #include "claims/syntax/syntax.hpp"
 #include "driver/model/project.hpp"
 #include "driver/settings/settings.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 
 namespace robochart::driver {
 
@@ -46,7 +47,8 @@ void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFil
 [[nodiscard]] std::vector<ClaimName> all_claims_of(const Project& project);
 
 /// Resolves the claims in the project's system; values of conditions are compared with the finite instantiation.
-void check_claim_files(Project& project);
+/// `carriers`: as in this instantiation, for claims that set constants.
+void check_claim_files(Project& project, ir::Carriers carriers);
 /// Resolves the claims in the model alone.
 void check_claim_files(Project& project, const ir::System& system);
 

@@ -14,6 +14,7 @@
 #include "csp_emit/assertion_forms.hpp"
 #include "csp_emit/blocks/check_script.hpp"
 #include "csp_emit/showing.hpp"
+#include "driver/model/instantiated_claims.hpp"
 #include "driver/model/project.hpp"
 #include "driver/model/project_claims.hpp"
 
@@ -59,13 +60,18 @@ private:
         obligation.time = csp_emit::Time::timed;
         obligation.title = fmt::format("{} [timed] {}: {}", claim.name, claim.component.path, claim.wording);
         obligation.origin.span = claim.span;
+        if (!has_own_project(project_, claim)) script_if_decided_here(number, obligation);
+        emission_.obligations.push_back(std::move(obligation));
+    }
+
+    void script_if_decided_here(std::size_t number, csp_emit::Obligation& obligation) {
+        const CheckedClaim& claim = project_.claims->checked.claims[number];
         try {
             if (showing_ == nullptr) claims::require_facts(claim, project_.system, project_.instantiation);
             if (showing_ != nullptr || claim.facts.empty()) script(number, obligation);
         } catch (const claims::NotDecided& error) {
             obligation.reason = error.what();
         }
-        emission_.obligations.push_back(std::move(obligation));
     }
 
     void script(std::size_t number, csp_emit::Obligation& obligation) {
@@ -210,7 +216,8 @@ bool is_translatable(const Project& project, const CheckedClaim& claim) {
 std::vector<ShowingScript> divide_claims(const Project& project) {
     std::vector<ShowingScript> result;
     for (const CheckedClaim& claim : project.claims->checked.claims) {
-        if (claim.facts.empty() || claim.assumption || !is_translatable(project, claim)) continue;
+        if (claim.facts.empty() || claim.assumption || has_own_project(project, claim)) continue;
+        if (!is_translatable(project, claim)) continue;
         if (result.empty() || !may_take(result.back().shown, claim)) result.emplace_back();
         result.back().claims.insert(claim.name);
         claims::add_facts(claim, result.back().shown);
@@ -243,9 +250,11 @@ std::optional<std::size_t> claim_of(const Project& project, const csp_emit::Obli
     return static_cast<std::size_t>(found - claims.begin());
 }
 
-bool reads_facts(const Project& project, const csp_emit::Obligation& obligation) {
-    const auto claim = claim_of(project, obligation);
-    return claim && !project.claims->checked.claims[*claim].facts.empty() && obligation.reason.empty();
+bool is_in_other_script(const Project& project, const csp_emit::Obligation& obligation) {
+    const auto number = claim_of(project, obligation);
+    if (!number) return false;
+    const CheckedClaim& claim = project.claims->checked.claims[*number];
+    return has_own_project(project, claim) || (!claim.facts.empty() && obligation.reason.empty());
 }
 
 const std::vector<ShowingScript>& showing_scripts(Project& project) {

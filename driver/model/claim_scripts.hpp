@@ -20,8 +20,9 @@ void add_claims(Project& project, csp_emit::Emission& emission);
 /// are unique, and obligations of swarms, which have names too, are in projects whose claims are not added.
 [[nodiscard]] std::optional<std::size_t> claim_of(const Project& project, const csp_emit::Obligation& obligation);
 
-/// True if the obligation is a claim that reads states or variables. It is decided in a script of showing_scripts.
-[[nodiscard]] bool reads_facts(const Project& project, const csp_emit::Obligation& obligation);
+/// True if the obligation is a claim that another script decides: it reads states or variables (showing_scripts), or it
+/// sets constants (instantiated_claims.hpp).
+[[nodiscard]] bool is_in_other_script(const Project& project, const csp_emit::Obligation& obligation);
 
 /// The scripts for the claims that read states or variables; made on the first request.
 [[nodiscard]] const std::vector<ShowingScript>& showing_scripts(Project& project);

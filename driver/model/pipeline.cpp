@@ -33,6 +33,7 @@
 #include "frontend/names/names.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/project/units.hpp"
+#include "frontend/rules/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/instantiate/given_constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
@@ -151,6 +152,10 @@ void find_shared_names(Project& project) {
             project.shared_names.insert(ref.path);
 }
 
+ir::Carriers carriers_of(const Settings& settings) {
+    return settings.claims.concrete ? ir::Carriers::robotool : ir::Carriers::beyond;
+}
+
 /// Lowers the parts and makes them finite. A constant from the settings applies to the parts that have it. The first
 /// part reports constants that no part has.
 void instantiate_parts(const std::vector<Part>& parts, const Settings& settings) {
@@ -165,7 +170,6 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
     for (const Part& part : parts) lowered = lower(*part.project, settings.load) && lowered;
     lowered = leave_out_robosim(parts, settings.load) && lowered;
     for (const Part& part : parts) find_shared_names(*part.project);
-    const auto carriers = settings.claims.concrete ? ir::Carriers::robotool : ir::Carriers::beyond;
     bool all = lowered;
     for (const Part& part : parts) {
         if (!is_acceptable(*part.project, settings.load)) continue;
@@ -179,7 +183,7 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
                 std::ranges::any_of(parts, [&](const Part& other) { return has(other, constant.first); });
             return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
         });
-        all = make_finite(*part.project, options, carriers) && all;
+        all = make_finite(*part.project, options, carriers_of(settings)) && all;
     }
     if (all) check_component(parts, settings.load);
 }
@@ -314,6 +318,26 @@ bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
     });
 }
 
+/// True if some assertion or CSP block is decided in the untimed semantics.
+bool is_decided_untimed(const frontend::Model& model) {
+    const auto untimed = [](const auto& item) { return item.time != frontend::AssertionTime::timed; };
+    return std::ranges::any_of(model.files, [&](const auto& file) {
+        return std::ranges::any_of(file->assertions, untimed) || std::ranges::any_of(file->csp_blocks, untimed);
+    });
+}
+
+/// Claims of claims files are timed. If there are no others to decide, RC-U01 would warn of checks that nobody makes.
+void drop_untimed_findings(Project& project, const LoadSettings& settings) {
+    const bool claims =
+        std::ranges::any_of(project.claims->files, [](const auto& file) { return !file->claims.empty(); });
+    if (!claims || is_decided_untimed(*project.model)) return;
+    const diagnostics::Diagnostics all = std::move(project.diagnostics);
+    project.diagnostics = {};
+    prepare_project(project, settings, all.budget());
+    project.diagnostics.allow_code(std::string(frontend::rules::untimed.code));
+    project.diagnostics.add(all);
+}
+
 /// Divides the project into its parts.
 std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettings& settings,
                                 const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
@@ -332,7 +356,10 @@ std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettin
         parts.front().project->diagnostics.add(findings.findings_in_texts(claims));
     }
     if (parts.empty()) parts.push_back({std::move(whole), false});
-    for (const Part& part : parts) find_unit(*part.project);
+    for (const Part& part : parts) {
+        find_unit(*part.project);
+        drop_untimed_findings(*part.project, settings);
+    }
     return parts;
 }
 
@@ -340,20 +367,6 @@ std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettin
 
 bool includes_time(Times times, csp_emit::Time time) {
     return times != (time == csp_emit::Time::timed ? Times::untimed : Times::timed);
-}
-
-std::unique_ptr<Project> with_data(const Project& project, ir::System system, ir::Instantiation instantiation) {
-    auto result = std::make_unique<Project>(project.texts);
-    result->name = project.name;
-    result->label = project.label;
-    result->folder = project.folder;
-    result->shared_names = project.shared_names;
-    result->unit = project.unit;
-    result->unit_place = project.unit_place;
-    result->diagnostics.set_budget(project.diagnostics.budget());
-    result->system = std::move(system);
-    result->instantiation = std::move(instantiation);
-    return result;
 }
 
 std::unique_ptr<Project> with_carriers_of_robotool(const Project& project) {
@@ -369,9 +382,9 @@ std::unique_ptr<Project> with_carriers_of_robotool(const Project& project) {
 namespace {
 
 /// Resolves the claims of all parts without errors.
-void check_claims(const std::vector<Part>& parts) {
+void check_claims(const std::vector<Part>& parts, const Settings& settings) {
     for (const Part& part : parts)
-        if (part.project->diagnostics.ok()) check_claim_files(*part.project);
+        if (part.project->diagnostics.ok()) check_claim_files(*part.project, carriers_of(settings));
 }
 
 }  // namespace
@@ -381,8 +394,9 @@ std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Bud
     std::vector<Part> parts;
     parts.push_back({read(settings.load, budget), false});
     find_unit(*parts.front().project);
+    drop_untimed_findings(*parts.front().project, settings.load);
     instantiate_parts(parts, settings);
-    check_claims(parts);
+    check_claims(parts, settings);
     parts.front().project->seconds = seconds_since(start);
     return std::move(parts.front().project);
 }
@@ -544,7 +558,7 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
         sound.push_back({part_of(whole, found->sound.unit, whole.name, settings.load, found->sound.texts), part.again});
         sound.front().project->claims->files = whole.claims->files;
         instantiate_parts(sound, settings);
-        check_claims(sound);
+        check_claims(sound, settings);
         separate_broken_claims(sound, settings);  // errors in blocks are only found if there are no others
         std::set<diagnostics::SourceId> wrong;
         std::string named;  // name of the first file with an error
@@ -569,7 +583,7 @@ std::vector<Part> load_parts(Settings& settings, diagnostics::Budget& budget) {
     const OtherWords other = name_claims(*whole, settings);
     std::vector<Part> parts = split_project(std::move(whole), settings.load, frontend::split_into_units);
     instantiate_parts(parts, settings);
-    check_claims(parts);
+    check_claims(parts, settings);
     separate_broken_claims(parts, settings);
     name_core_claims(parts, other, settings);
     label_parts(parts);
@@ -604,8 +618,8 @@ bool core_wanted(const Part& part, const Settings& settings) {
         return robosim || !file->probabilistic_assertions.empty() ||
                std::ranges::any_of(file->kept, [](const auto& foreign_part) { return foreign_part.claims; });
     });
-    const bool instead = checks && !claims && project.claims->checked.claims.empty() && settings.claims.names.empty() &&
-                         !settings.claims.sizes;
+    const bool of_files = !project.claims->checked.claims.empty() || !project.claims->instantiated.empty();
+    const bool instead = checks && !claims && !of_files && settings.claims.names.empty() && !settings.claims.sizes;
     return !part.again && (settings.claims.core || instead) && settings.swarm.file.empty();
 }
 

@@ -35,8 +35,6 @@ void add_swarm(Settings&);
 /// Like load_parts, but only reads and resolves the parts, without instantiations. Errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const LoadSettings&, diagnostics::Budget&);
 
-/// A project without model, for the same texts, with another system and instantiation.
-[[nodiscard]] std::unique_ptr<Project> with_data(const Project&, ir::System, ir::Instantiation);
 /// The project with RoboTool's carriers, which exported scripts use; null if the project already has these carriers.
 [[nodiscard]] std::unique_ptr<Project> with_carriers_of_robotool(const Project&);
 

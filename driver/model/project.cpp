@@ -24,4 +24,18 @@ std::vector<ClaimName> claims_of(const frontend::Model& model) {
     return claims;
 }
 
+std::unique_ptr<Project> with_data(const Project& project, ir::System system, ir::Instantiation instantiation) {
+    auto result = std::make_unique<Project>(project.texts);
+    result->name = project.name;
+    result->label = project.label;
+    result->folder = project.folder;
+    result->shared_names = project.shared_names;
+    result->unit = project.unit;
+    result->unit_place = project.unit_place;
+    result->diagnostics.set_budget(project.diagnostics.budget());
+    result->system = std::move(system);
+    result->instantiation = std::move(instantiation);
+    return result;
+}
+
 }  // namespace robochart::driver

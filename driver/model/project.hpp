@@ -49,6 +49,9 @@ struct Project {
     std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts that were requested (emit_csp)
 };
 
+/// A project without model, for the same texts, with another system and instantiation.
+[[nodiscard]] std::unique_ptr<Project> with_data(const Project&, ir::System, ir::Instantiation);
+
 /// A part of a run: files that belong together (pipeline.hpp, load_parts).
 struct Part {
     std::unique_ptr<Project> project;

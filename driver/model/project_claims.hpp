@@ -31,12 +31,22 @@ struct ShowingScript {
     std::unique_ptr<csp_emit::Emission> emission;
 };
 
+struct Project;
+
+/// The claims that set the same constants, with the project in which they are decided (instantiated_claims.hpp).
+struct InstantiatedClaims {
+    std::vector<std::string> settings;  ///< as in CheckedClaim::settings
+    std::shared_ptr<Project> project;
+};
+
 struct ProjectClaims {
     bool ignored = false;                                         ///< only their time unit is used
     std::vector<std::shared_ptr<const claims::ClaimFile>> files;  ///< as read
     claims::CheckedClaims checked;                                ///< resolved in the project's system
     std::vector<ScriptedClaim> scripted;                          ///< by the numbers of the resolved claims
     std::vector<ShowingScript> showing;                           ///< made by showing_scripts
+    std::vector<std::string> settings;                            ///< the constants that claims set in this project
+    std::vector<InstantiatedClaims> instantiated;                 ///< for the claims that set other constants
 };
 
 }  // namespace robochart::driver

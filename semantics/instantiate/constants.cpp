@@ -74,7 +74,8 @@ ExprPtr literal_of(const Type& declaration, const std::string& text, TypeId type
     return nullptr;
 }
 
-/// Returns a RoboChart literal of a type, or null if the text is not one.
+}  // namespace
+
 ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) {
     const Type& type = system.type(id);
     switch (type.kind) {
@@ -103,6 +104,8 @@ ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) 
     }
     return nullptr;
 }
+
+namespace {
 
 std::string suggestion_text(const std::string& name, const std::vector<NamedConstant>& constants) {
     std::vector<std::string> candidates;
@@ -147,10 +150,12 @@ GivenConstants not_overridden(const System& system, const GivenConstants& weaker
     return result;
 }
 
-ChosenConstants chosen_constants(const System& system, const GivenConstants& options, Literals& literals,
-                                 Diagnostics& diagnostics) {
-    ChosenConstants chosen;
-    std::map<std::string, std::string> chosen_by;  // the option that sets a constant, by the constant's path
+namespace {
+
+/// Adds the values that options give to constants, and reports wrong options.
+void choose_by_options(const System& system, const GivenConstants& options, ChosenConstants& chosen,
+                       Diagnostics& diagnostics) {
+    std::map<std::string, std::string> chosen_by;  // the option that names a constant, by the constant's path
     std::set<std::pair<std::string, std::string>> refused;
     const auto constants = named_constants(system);
     for (const auto& [option, text] : options) {
@@ -167,15 +172,34 @@ ChosenConstants chosen_constants(const System& system, const GivenConstants& opt
                 diagnostics.report(rules::bad_constant_value, {}, {option, text, system.type(constant.type).name});
                 break;
             }
-            const std::string name = constant.path.substr(constant.path.rfind(':') + 1);
-            add_literals(system, *value, literals.durations.contains(name), literals);
             chosen[constant.name] = value;
         }
         if (!known)
             diagnostics.report(rules::unknown_constant_option, {}, {option, suggestion_text(option, constants)});
     }
-    for (const auto& [part, own] : own_constants(system))
-        if (const auto value = chosen.find(own); value != chosen.end()) chosen.emplace(part, ExprPtr(value->second));
+}
+
+}  // namespace
+
+ChosenConstants chosen_constants(const System& system, const GivenConstants& options, const SetConstants& by_claim,
+                                 Literals& literals, Diagnostics& diagnostics) {
+    ChosenConstants chosen;
+    choose_by_options(system, options, chosen, diagnostics);
+    const ChosenConstants set(by_claim.begin(), by_claim.end());
+    for (const auto& [name, value] : set) chosen.insert_or_assign(name, ExprPtr(value));
+    for (const NamedConstant& constant : named_constants(system))
+        if (const auto value = chosen.find(constant.name); value != chosen.end()) {
+            const std::string name = constant.path.substr(constant.path.rfind(':') + 1);
+            add_literals(system, *value->second, literals.durations.contains(name), literals);
+        }
+    // A machine's own constant has its value in all controllers that run the machine. A value that a claim sets for the
+    // machine also overrides those that options give to its parts.
+    for (const auto& [part, own] : own_constants(system)) {
+        if (const auto value = set.find(own); value != set.end() && !set.contains(part))
+            chosen.insert_or_assign(part, ExprPtr(value->second));
+        else if (const auto option = chosen.find(own); option != chosen.end())
+            chosen.emplace(part, ExprPtr(option->second));
+    }
     return chosen;
 }
 

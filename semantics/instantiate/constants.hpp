@@ -12,13 +12,13 @@
 
 namespace robochart::ir {
 
-/// The constants that options set, by qualified name. The values are literals as expressions.
+/// Constants set by options and claims: qualified name -> the literal as an expression.
 using ChosenConstants = std::map<std::string, ExprPtr>;
 
 /// Reads the options, reports wrong ones (including two that name the same constant), and adds their numbers to the
 /// literals.
-[[nodiscard]] ChosenConstants chosen_constants(const System&, const GivenConstants& options, Literals&,
-                                               diagnostics::Diagnostics&);
+[[nodiscard]] ChosenConstants chosen_constants(const System&, const GivenConstants& options, const SetConstants& set,
+                                               Literals&, diagnostics::Diagnostics&);
 /// Fills Instantiation::constants from the options and the defaults. Carriers and scale must be set before.
 void set_constants(const System&, const ChosenConstants&, Instantiation&);
 /// Reports RC-S19 if an operation requires a constant from several callers, and the callers have different values for

@@ -274,11 +274,11 @@ void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instant
 }  // namespace
 
 Instantiation instantiate_system(const System& system, const InstantiationOptions& options, Diagnostics& diagnostics,
-                                 Carriers carriers) {
+                                 Carriers carriers, const SetConstants& set) {
     Instantiation instantiation;
     instantiation.budget = diagnostics.budget();
     Literals literals = literals_of(system, carriers == Carriers::robotool || carriers_given(system));
-    const auto chosen = chosen_constants(system, options.constants, literals, diagnostics);
+    const auto chosen = chosen_constants(system, options.constants, set, literals, diagnostics);
     Ranges ranges;
     read_range_options(options, ranges, diagnostics);
     widen_by_literals(literals, ranges, diagnostics);

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "semantics/instantiate/given_constants.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -31,9 +32,9 @@ enum class Carriers {
 };
 
 /// Returns the instantiation. It starts with RoboTool's defaults, widens them by the model's literals and constants,
-/// and then applies the user's options. Invalid options (unknown constant, empty range) are reported.
+/// and then applies the user's options. Invalid options (unknown constant, empty range) are reported. The values of `set` take precedence over the options.
 [[nodiscard]] Instantiation instantiate_system(const System&, const InstantiationOptions&, diagnostics::Diagnostics&,
-                                               Carriers = Carriers::beyond);
+                                               Carriers = Carriers::beyond, const SetConstants& set = {});
 
 /// True if an option's name for a constant, "NAME" or the end of "P::S::NAME", refers to a constant of the system.
 [[nodiscard]] bool names_constant(const System&, const std::string& option);

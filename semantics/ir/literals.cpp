@@ -61,9 +61,7 @@ std::set<const Expr*> values_of(const std::set<std::string>& names, const System
     return result;
 }
 
-}  // namespace
-
-std::set<std::string> constants_of_durations(const System& system) {
+ConstantUses uses_of_constants(const System& system) {
     ConstantUses uses;
     uses.times.insert(cycle_length);
     for (const Machine& machine : system.machines)
@@ -78,8 +76,19 @@ std::set<std::string> constants_of_durations(const System& system) {
     };
     for (const Controller& controller : system.controllers) declared(controller);
     for (const Module& module : system.modules) declared(module.platform);
+    return uses;
+}
+
+}  // namespace
+
+std::set<std::string> constants_of_durations(const System& system) {
+    ConstantUses uses = uses_of_constants(system);
     for (const std::string& name : uses.values) uses.times.erase(name);
     return std::move(uses.times);
+}
+
+std::set<std::string> constants_read_as_times(const System& system) {
+    return uses_of_constants(system).times;
 }
 
 void add_literals(const System& system, const Expr& expr, bool time, Literals& literals) {

@@ -33,6 +33,9 @@ struct Literals {
 /// once. Their values are numbers of time units, too. All constants with the same name are treated as one, because a
 /// required constant gets its value from another constant with this name.
 [[nodiscard]] std::set<std::string> constants_of_durations(const System&);
+/// The names of constants that some wait, deadline or comparison with a clock reads, even if other expressions read
+/// them as values.
+[[nodiscard]] std::set<std::string> constants_read_as_times(const System&);
 /// Adds the literals of one expression. `time` is true if the whole expression is a duration.
 void add_literals(const System&, const Expr&, bool time, Literals&);
 

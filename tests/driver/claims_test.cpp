@@ -364,6 +364,163 @@ TEST(Claims, AreErrorsWithAPlace) {
     EXPECT_THAT(value.text, HasSubstr("CLM-T11"));
 }
 
+// ---------------------------------------------------------------- constants
+
+/// The constants of these machines decide what the claims are about: a duration, a wait, a bound, a literal.
+const char* const tuned = R"(package tuned
+
+enumeration Mode { careful fast }
+interface Motion { halt() reverse() }
+
+stm Waits {
+	const patience : nat = 3
+	clock T
+	requires Motion
+	event obstacle
+	event clear
+	initial i
+	state Free { }
+	state Held { entry halt() }
+	state Back { entry reverse() }
+	transition t0 { from i to Free }
+	transition t1 { from Free to Held trigger obstacle #T }
+	transition t2 { from Held to Back condition since(T) >= patience }
+	transition t3 { from Back to Free trigger clear }
+}
+
+stm Slow {
+	const pause : nat = 2
+	event obstacle
+	initial i
+	state A { entry wait(pause) }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger obstacle }
+}
+
+stm Counts {
+	const limit : nat = 2
+	var n : nat = 0
+	event tick
+	event beep
+	initial i
+	state A { }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger tick condition n < limit action n = n + 1; send beep }
+}
+
+stm Chooses {
+	const mode : Mode = Mode::careful
+	requires Motion
+	event obstacle
+	initial i
+	state A { }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger obstacle condition mode == Mode::fast action reverse() }
+	transition t2 { from A to A trigger obstacle condition mode == Mode::careful action halt() }
+}
+
+controller Brain {
+	requires Motion
+	event obstacle
+	event clear
+	sref waits = Waits
+	connection Brain on obstacle to waits on obstacle
+	connection Brain on clear to waits on clear
+}
+
+module Robot {
+	robotic platform Body {
+		provides Motion
+		event obstacle
+		event clear
+	}
+	cref brain = Brain
+	connection Body on obstacle to brain on obstacle ( _async )
+	connection Body on clear to brain on clear ( _async )
+}
+)";
+
+TEST(Claims, SetConstants) {
+    expect_verdicts(
+        {{"tuned.rct", tuned}}, "import tuned::*\nunit 0.1 s\n",
+        {
+            {"reverse at least 3 units after obstacle", "holds", "Waits"},
+            {"reverse at least 4 units after obstacle", "fails", "Waits"},
+            {"reverse at least 5 units after obstacle with constant patience of Waits set to 5", "holds", "Waits"},
+            {"reverse at least 5 units after obstacle with constant patience of Waits set to 4", "fails", "Waits"},
+            {"reverse at least 0.5 s after obstacle with constant patience of Waits set to 500 ms", "holds", "Waits"},
+            {"reverse at least 30 units after obstacle with constant patience of Waits set to 3 s", "holds", "Waits"},
+            {"reverse at least 31 units after obstacle with constant patience of Waits set to 3 s", "fails", "Waits"},
+            {"possible reverse with constant patience of Waits set to 30 units", "holds", "Waits"},
+            {"obstacle leads to reverse within 2 units with constant patience of Waits set to 2", "holds", "Waits"},
+            {"obstacle leads to reverse within 1 units with constant patience of Waits set to 2", "fails", "Waits"},
+            {"obstacle leads to reverse with constant patience of Waits set to 5", "holds", "Waits"},
+            {"in Held for at most 4 units with constant patience of Waits set to 4", "holds", "Waits"},
+            {"in Held for at most 4 units with constant patience of Waits set to 5", "fails", "Waits"},
+            {"can take obstacle within 2 units", "holds", "Slow"},
+            {"can take obstacle within 2 units with constant pause of Slow set to 3", "fails", "Slow"},
+            {"can take obstacle within 3 units with constant pause of Slow set to 3 units", "holds", "Slow"},
+            {"at most 2 beep", "holds", "Counts"},
+            {"at most 4 beep with constant limit of Counts set to 4", "holds", "Counts"},
+            {"at most 3 beep with constant limit of Counts set to 4", "fails", "Counts"},
+            {"always n <= 4 with constant limit of Counts set to 4", "holds", "Counts"},
+            {"always n <= 3 with constant limit of Counts set to 4", "fails", "Counts"},
+            {"always n <= limit with constant limit of Counts set to 4", "holds", "Counts"},
+            {"never reverse", "holds", "Chooses"},
+            {"never reverse with constant mode of Chooses set to Mode::fast", "fails", "Chooses"},
+            {"never halt with constant mode of Chooses set to fast", "holds", "Chooses"},
+            {"reverse at least 4 units after obstacle", "fails", "Robot"},
+            {"reverse at least 5 units after obstacle with constant patience of Waits set to 5", "holds", "Robot"},
+            {"reverse at least 5 units after obstacle with constant patience of waits set to 5", "holds",
+             "Robot::brain"},
+        });
+}
+
+/// An assumption is about claims with any constants. The ticks are two units apart.
+TEST(Claims, SetConstantsUnderAssumptions) {
+    expect_verdicts({{"tuned.rct", tuned}},
+                    "import tuned::*\nassume Seldom of Counts : tick at least 2 units after tick\n",
+                    {
+                        {"at most 1 tick in any 1 units with constant limit of Counts set to 4", "holds", "Counts"},
+                        {"at most 1 tick in any 2 units with constant limit of Counts set to 4", "fails", "Counts"},
+                        {"at most 1 tick in any 2 units with constant limit of Counts set to 1", "holds", "Counts"},
+                    });
+}
+
+TEST(Claims, NameTheConstantsThatTheySet) {
+    const Answers answers({{"tuned.rct", tuned}},
+                          "import tuned::*\n"
+                          "claim B of Waits : reverse at least 5 units after obstacle with constant patience of Waits "
+                          "set to 4\nclaim A of Waits : never halt\n"
+                          "claim V of Waits : after clear, never halt with constant patience of Waits set to 4\n");
+    EXPECT_THAT(answers.of("B").title, HasSubstr("after obstacle with constant patience of Waits set to 4"));
+    EXPECT_THAT(answers.of("B").text, HasSubstr("reverse comes at t=4"));
+    EXPECT_EQ(answers.verdict("A"), "fails");
+    EXPECT_EQ(answers.verdict("V"), "fails");
+}
+
+/// RC-U01 is about untimed checks. Claims are timed.
+TEST(Claims, AreNotWarnedOfUntimedChecks) {
+    const std::string claim = "import tuned::*\nclaim A of Waits : never terminate\n";
+    EXPECT_THAT(Answers({{"tuned.rct", tuned}}, claim).text(), Not(HasSubstr("RC-U01")));
+    const Text timed{"a.assertions", "import tuned::* timed assertion T : Waits is deadlock-free"};
+    EXPECT_THAT(Answers({{"tuned.rct", tuned}, timed}, claim).text(), Not(HasSubstr("RC-U01")));
+    const Text both{"a.assertions", "import tuned::* assertion T : Waits is deadlock-free"};
+    EXPECT_THAT(Answers({{"tuned.rct", tuned}, both}, claim).text(), HasSubstr("RC-U01"));
+}
+
+TEST(Claims, RejectConstantsWithoutEffect) {
+    const auto text = [](const std::string& constant) {
+        return Answers({{"tuned.rct", tuned}},
+                       "import tuned::*\nclaim A of Robot : never halt with constant " + constant)
+            .text();
+    };
+    EXPECT_THAT(text("pause of Slow set to 1"), HasSubstr("CLM-T17"));
+    EXPECT_THAT(text("pause of Slow set to 1"), HasSubstr("does not affect tuned::Robot"));
+    EXPECT_THAT(text("patience of Slow set to 1"), HasSubstr("tuned::Slow has no constant `patience`"));
+    EXPECT_THAT(text("patience of Waits set to 0.25 s"), HasSubstr("how long is a time unit?"));
+}
+
 // ---------------------------------------------------------------- shared/suite/claims/EXPECTED.md
 
 std::vector<Text> suite_models(const std::string& name) {

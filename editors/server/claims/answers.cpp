@@ -19,7 +19,7 @@ struct Keyword {
     std::string_view word, meaning;
 };
 /// The words of claims with their meaning (docs/claims.md).
-constexpr std::array<Keyword, 51> keywords{{
+constexpr std::array<Keyword, 53> keywords{{
     {"after", "the scope begins behind this event"},
     {"always", "`always P`: P holds at the end of each instant, when time passes"},
     {"and", "both conditions"},
@@ -31,6 +31,7 @@ constexpr std::array<Keyword, 51> keywords{{
     {"call", "the calls of an operation"},
     {"can", "`can take E within D`: if E is raised, the machine offers to take it at most D later"},
     {"claim", "`claim NAME [of COMPONENT] : [scope ,] body`"},
+    {"constant", "`with constant C of COMPONENT set to V`: the claim is about this value of the constant"},
     {"cycle", "`in a cycle with E`: each control cycle in which E is raised"},
     {"drops", "`order COMPONENT : E drops F`: in a cycle with E, F counts as not raised"},
     {"each", "`after each E`: the scope begins anew after each E"},
@@ -60,6 +61,7 @@ constexpr std::array<Keyword, 51> keywords{{
     {"possible", "some run has this event in the scope"},
     {"raised", "an input is present in a cycle, also if the controller does not take it"},
     {"s", "seconds"},
+    {"set", "`with constant C of COMPONENT set to V`"},
     {"start", "the beginning of the run"},
     {"take", "`can take E`"},
     {"terminate", "the end of the component"},
@@ -69,7 +71,7 @@ constexpr std::array<Keyword, 51> keywords{{
     {"unless", "this event also ends what is owed"},
     {"until", "the scope ends before this event, which need not come"},
     {"while", "`while P`: the scope lasts as long as P holds"},
-    {"with", "a condition on the values of the event"},
+    {"with", "a condition on the values of the event, or `with constant C of COMPONENT set to V`"},
     {"within", "at most so much later; exactly so much is allowed"},
 }};
 
@@ -91,6 +93,12 @@ std::string type_names(const claims::Channel& channel, const ir::System& system)
     return names.empty() ? "" : fmt::format("({})", fmt::join(names, ", "));
 }
 
+std::string shown_lines(std::vector<std::string> lines) {
+    constexpr std::size_t most = 6;
+    if (lines.size() > most) lines.resize(most);
+    return fmt::format("{}", fmt::join(lines, "\n\n"));
+}
+
 /// "`goTo(nat)`: operation of the platform of p::Patrol", one line for each component that has the name.
 std::string about_channels(const std::string& name, const ClaimedModels& models) {
     std::vector<std::string> lines;
@@ -99,9 +107,18 @@ std::string about_channels(const std::string& name, const ClaimedModels& models)
             if (channel.name == name)
                 lines.push_back(fmt::format("`{}{}`: {} of {}", name, type_names(channel, models.system),
                                             direction_text(channel), component.path));
-    constexpr std::size_t most = 6;
-    if (lines.size() > most) lines.resize(most);
-    return fmt::format("{}", fmt::join(lines, "\n\n"));
+    return shown_lines(std::move(lines));
+}
+
+/// "`patience`: constant of p::Patrol, nat", one line for each component that has the constant.
+std::string about_constants(const std::string& name, const ClaimedModels& models) {
+    std::vector<std::string> lines;
+    for (const claims::Component& component : models.components)
+        for (const claims::ComponentConstant& constant : component.constants)
+            if (constant.name == name)
+                lines.push_back(fmt::format("`{}`: constant of {}, {}", name, component.path,
+                                            models.system.type(constant.type).name));
+    return shown_lines(std::move(lines));
 }
 
 const claims::Claim* claim_named(const claims::ClaimFile& file, const std::string& name) {
@@ -109,7 +126,7 @@ const claims::Claim* claim_named(const claims::ClaimFile& file, const std::strin
     return found == file.claims.end() ? nullptr : &*found;
 }
 
-/// The declarations of events and operations with this name.
+/// The declarations of events, operations and constants with this name.
 std::vector<Span> declarations_of(const std::string& name, const ir::System& system) {
     std::vector<Span> result;
     const auto add = [&](const auto& list) {
@@ -121,14 +138,17 @@ std::vector<Span> declarations_of(const std::string& name, const ir::System& sys
     for (const ir::Module& module : system.modules) {
         add(module.platform.events);
         add(module.platform.operations);
+        add(module.platform.constants);
     }
     for (const ir::Controller& controller : system.controllers) {
         add(controller.events);
         add(controller.operations);
+        add(controller.constants);
     }
     for (const ir::Machine& machine : system.machines) {
         add(machine.events);
         add(machine.operations);
+        add(machine.constants);
     }
     return result;
 }
@@ -147,6 +167,7 @@ Json ClaimTexts::hover(const Request& request) {
     if (const claims::Claim* const claim = claim_named(*reading.file, word.text))
         hover.text = fmt::format("claim `{}`: {}", claim->name.text, claim->wording);
     if (hover.text.empty() && reading.models != nullptr) hover.text = about_channels(word.text, *reading.models);
+    if (hover.text.empty() && reading.models != nullptr) hover.text = about_constants(word.text, *reading.models);
     const auto keyword = std::ranges::find(keywords, word.text, &Keyword::word);
     if (hover.text.empty() && keyword != keywords.end()) hover.text = keyword->meaning;
     return hover_answer(request, std::move(hover), reading.findings.sorted_findings());
@@ -190,7 +211,13 @@ Json ClaimTexts::completion(const Request& request) {
     if (reading.models != nullptr && names_state)
         for (const std::string& path : states_after(place.qualifier, *reading.models)) add(path, state, "state");
     if (!place.qualifier.empty()) return Json::object({{"isIncomplete", false}, {"items", std::move(items)}});
-    if (reading.models != nullptr && !component)
+    const bool constant = place.word == "constant";
+    if (reading.models != nullptr && constant)
+        for (const claims::Component& of : reading.models->components)
+            for (const claims::ComponentConstant& known : of.constants)
+                add(known.name, variable, fmt::format("constant of {}", of.path));
+    const bool other = !component && !constant;
+    if (reading.models != nullptr && other)
         for (const ir::Machine& machine : reading.models->system.machines)
             for (const ir::Variable& known : machine.variables)
                 add(known.name, variable, fmt::format("variable of {}", machine.name));
@@ -198,11 +225,11 @@ Json ClaimTexts::completion(const Request& request) {
         for (const claims::Component& of : reading.models->components) {
             if (component) add(of.path, module, "");
             for (const claims::Channel& channel : of.channels)
-                if (!component)
+                if (other)
                     add(channel.name, channel.kind == claims::ChannelKind::call ? method : event,
                         direction_text(channel) + type_names(channel, reading.models->system));
         }
-    if (!component)
+    if (other)
         for (const Keyword& known : keywords) add(std::string(known.word), keyword, std::string(known.meaning));
     return Json::object({{"isIncomplete", false}, {"items", std::move(items)}});
 }

@@ -14,14 +14,15 @@ namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A robot that brakes three time units after each estop, and forgets an estop that comes in between.
 constexpr const char* robot =
     "package p\ninterface Motors { brake() go(v : nat) }\ninterface Buttons { event estop event level : nat }\n"
-    "stm Robot { requires Motors uses Buttons clock T var l : nat initial i\n"
+    "stm Robot { const delay : nat = 3 requires Motors uses Buttons clock T var l : nat initial i\n"
     "state Moving { entry go(2) } state Waiting { } state Held { entry brake() }\n"
     "transition t0 { from i to Moving } transition t1 { from Moving to Waiting trigger estop #T }\n"
-    "transition t2 { from Waiting to Held condition since(T) >= 3 } transition t3 { from Held to Moving }\n"
+    "transition t2 { from Waiting to Held condition since(T) >= delay } transition t3 { from Held to Moving }\n"
     "transition t4 { from Moving to Moving trigger level?l condition l <= 4 } }\n";
 
 std::string scenario(const std::string& items, const std::string& trials = "2") {
@@ -78,6 +79,64 @@ TEST(FollowedClaims, OfOtherComponentsAreNotFollowed) {
     EXPECT_THAT(ran.err, HasSubstr("no claim of the file is about the controller"));
     EXPECT_THAT(ran.err, HasSubstr("one run does not show what other runs do"));
     EXPECT_EQ(run({"simulate", "a.scenario", "a.claims"}).exit, 4) << "without --monitor";
+}
+
+/// A claim that sets constants is followed if the controller has these values.
+TEST(FollowedClaims, WithOtherConstantsAreNotFollowed) {
+    const std::string text =
+        "import p::*\nunit 0.1 s\nclaim Late : estop leads to brake within 0.5 s with constant delay of Robot set to "
+        "0.5 s\n"
+        "claim Same : estop leads to brake within 0.3 s with constant delay of Robot set to 3\n";
+    const Ran ran = simulate("", text, {"robot.claims", "--monitor"});
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("claims followed: 1"));
+    EXPECT_THAT(ran.out, HasSubstr("Late: it sets p::Robot::delay=5, and other values are used here: `--const "
+                                   "p::Robot::delay=5`"));
+    const Ran other = simulate("", text, {"robot.claims", "--monitor", "--const", "delay=5"});
+    EXPECT_EQ(other.exit, 0) << other.err;
+    EXPECT_THAT(other.out, HasSubstr("claims followed: 1"));
+    EXPECT_THAT(other.out, HasSubstr("Same: it sets p::Robot::delay=3"));
+    EXPECT_EQ(simulate("accept each claim Late", text).exit, 2);
+}
+
+TEST(FollowedClaims, AboutCyclesWithOtherConstantsAreNotDecided) {
+    const Folder folder(
+        {{"robot.rct", robot},
+         {"robot.claims",
+          "import p::*\nclaim Other : raised estop leads to brake within 5 units with constant delay of "
+          "Robot set to 5\nclaim Same : in a cycle with estop, at most 3 any call with constant delay of "
+          "Robot set to 3\n"}});
+    const auto answers = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"conform", folder.path(), "--format", "json"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return run(arguments);
+    };
+    const Ran here = answers({});
+    EXPECT_THAT(here.out, HasSubstr("it sets p::Robot::delay=5, and other values are used here"));
+    EXPECT_THAT(here.out, Not(HasSubstr("it sets p::Robot::delay=3")));
+    const Ran there = answers({"--const", "delay=5"});
+    EXPECT_THAT(there.out, HasSubstr("it sets p::Robot::delay=3"));
+    EXPECT_THAT(there.out, Not(HasSubstr("it sets p::Robot::delay=5")));
+}
+
+TEST(FollowedClaims, InLogsHaveTheConstantsOfTheLog) {
+    const std::string head = "robochart-trace 1\ncomponent p::Robot\n";
+    const Folder folder({{"robot.rct", robot},
+                         {"robot.claims",
+                          "import p::*\nclaim Late : estop leads to brake within 5 units with constant delay of Robot "
+                          "set to 5\n"},
+                         {"here.trace", head + "run a\nestop? tock\ntock\ntock\nbrake! tock\n"},
+                         {"there.trace", head + "const delay=5\nrun a\nestop? tock\ntock\ntock\ntock\ntock\nbrake!\n"},
+                         {"late.trace", head + "const delay=5\nrun a\nestop? tock\ntock\ntock\ntock\ntock\ntock\n"}});
+    const auto followed = [&](const std::string& name) {
+        return run({"conform", folder / "robot.claims", "--traces", folder / name});
+    };
+    const Ran here = followed("here.trace");
+    EXPECT_EQ(here.exit, 3) << here.out << here.err;
+    EXPECT_THAT(here.out, HasSubstr("it sets p::Robot::delay=5"));
+    const Ran there = followed("there.trace");
+    EXPECT_EQ(there.exit, 0) << there.out << there.err;
+    EXPECT_EQ(followed("late.trace").exit, 1);
 }
 
 TEST(FollowedClaims, ScenariosAcceptThem) {

@@ -137,12 +137,41 @@ TEST(ClaimReader, ContinuesAtTheNextClaim) {
     EXPECT_EQ(parsed.file.claims[0].name.text, "C");
 }
 
-TEST(ClaimReader, RefusesFormsThatAreNotDecided) {
-    for (const char* text : {"claim A : never a with constant c of X set to 1"}) {
-        const Parsed parsed(text);
-        EXPECT_THAT(parsed.report(), HasSubstr("CLM-P06")) << text;
-        EXPECT_TRUE(parsed.file.claims.empty()) << text;
-    }
+TEST(ClaimReader, ReadsConstants) {
+    const Parsed parsed(
+        "claim A : never a with constant c of X set to -1\nclaim B : a leads to b within 3 s with constant c of P::X "
+        "set to 150 ms, and constant d of Y set to Colour::red and constant e of Y set to true\n"
+        "claim C : never a with constant c of X set to 3 unit 0.1 s\n");
+    ASSERT_TRUE(parsed.diagnostics.ok()) << parsed.report();
+    ASSERT_EQ(parsed.file.claims.size(), 3U);
+    EXPECT_EQ(parsed.file.claims[0].constants.at(0).value, "-1");
+    EXPECT_EQ(parsed.file.claims[0].wording, "never a with constant c of X set to -1");
+    const std::vector<SetConstant>& constants = parsed.file.claims[1].constants;
+    ASSERT_EQ(constants.size(), 3U);
+    EXPECT_EQ(constants[0].component.text, "P::X");
+    ASSERT_TRUE(constants[0].duration);
+    EXPECT_EQ(constants[0].duration->number, "150");
+    EXPECT_EQ(constants[1].value, "Colour::red");
+    EXPECT_EQ(constants[2].value, "true");
+    EXPECT_EQ(parsed.file.claims[2].constants.at(0).value, "3") << "`unit` begins an item";
+    EXPECT_EQ(parsed.file.units.size(), 1U);
+}
+
+/// `with constant` begins the constants, unless `constant` is the name of a value.
+TEST(ClaimReader, ConstantMayBeTheNameOfAValue) {
+    const Parsed parsed("claim A : never a(constant) with constant > 3 with constant c of X set to 1\n");
+    ASSERT_TRUE(parsed.diagnostics.ok()) << parsed.report();
+    EXPECT_NE(parsed.file.claims[0].body.events.patterns[0].condition, nullptr);
+    EXPECT_EQ(parsed.file.claims[0].constants.size(), 1U);
+}
+
+TEST(ClaimReader, RejectsIncompleteConstants) {
+    for (const char* text :
+         {"claim A : never a with constant c set to 1", "claim A : never a with constant c of X to 1",
+          "claim A : never a with constant c of X set to",
+          "claim A : never a with constant c of X set to 1, constant d of X set to 2",
+          "claim A : never a with constant c of X set to 1 + 2"})
+        EXPECT_THAT(Parsed(text).report(), HasSubstr("CLM-P01")) << text;
 }
 
 TEST(ClaimReader, LimitsTheDepth) {
@@ -155,6 +184,11 @@ TEST(ClaimLayout, LaysOutEachClaimOnALine) {
     EXPECT_EQ(
         formatted("import  small :: *\n\n\n\nunit 0.1   s\nclaim A:after a\n   until b ,never goTo ( - 1 )or  c\n"),
         "import small::*\n\nunit 0.1 s\nclaim A : after a until b, never goTo(-1) or c\n");
+}
+
+TEST(ClaimLayout, LaysOutConstants) {
+    EXPECT_EQ(formatted("claim A:never a with  constant c of P :: X set to - 1 , and constant d of X set to 3   s\n"),
+              "claim A : never a with constant c of P::X set to -1, and constant d of X set to 3 s\n");
 }
 
 TEST(ClaimLayout, KeepsComments) {

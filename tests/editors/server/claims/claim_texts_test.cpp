@@ -106,6 +106,29 @@ TEST_F(Claims, AreCompleted) {
     EXPECT_THAT(labels(1, 19), HasSubstr("speed "));
 }
 
+TEST_F(Claims, ConstantsAreCompletedAndExplained) {
+    folder_.write("robot.rct",
+                  "package p stm Robot { const pace : nat = 1 initial i state S { entry wait(pace) } transition t { "
+                  "from i to S } }");
+    Client client;
+    client.open(uri_, "import p::*\nclaim A : never terminate with constant pace of Robot set to 2\n");
+    EXPECT_TRUE(client.diagnostics(uri_).is_null());
+    EXPECT_THAT(hovered(client, 1, 41), HasSubstr("`pace`: constant of p::Robot, nat"));
+    EXPECT_EQ(client.request("textDocument/definition", place(1, 41)).items().size(), 1U);
+    client.change(uri_, "import p::*\nclaim A : never terminate with constant pacce of Robot set to 2\n");
+    EXPECT_EQ(client.codes(uri_), "CLM-T17@2");
+    const auto labels = [&](std::int64_t character) {
+        std::string result;
+        const Answer items = client.request("textDocument/completion", place(1, character))["items"];
+        for (const Answer& item : items.items()) result += item["label"].text() + " ";
+        return result;
+    };
+    client.change(uri_, "import p::*\nclaim A : never terminate with constant ");
+    EXPECT_EQ(labels(40), "pace ");
+    client.change(uri_, "import p::*\nclaim A : never terminate with constant pace of ");
+    EXPECT_EQ(labels(48), "p::Robot ");
+}
+
 TEST_F(Claims, AreFormattedListedAndRenamed) {
     Client client;
     client.open(uri_, "import p::*\nclaim A:never goTo\nclaim B : never brake\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See claim_guard.hpp.
-#include "app/rules/claim_guard.hpp"
+// See claim_duties.hpp.
+#include "app/rules/claim_duties.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +14,7 @@
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/spelling.hpp"
 #include "claims/decide/letters.hpp"
+#include "driver/model/instantiated_claims.hpp"
 #include "driver/model/project_claims.hpp"
 #include "driver/settings/rules.hpp"
 #include "simulation/scenario/rules.hpp"
@@ -56,166 +57,117 @@ bool is_about(const CheckedClaim& claim, const std::string& component) {
     return path == component || path.ends_with("::" + component);
 }
 
-/// The text of a value as in logs.
-std::string value_text(const cpp_emit::Port& port, std::size_t argument, rc_value value) {
-    switch (port.arguments[argument]) {
-        case cpp_emit::Carried::real:
-            return fmt::format("{}", value.real);
-        case cpp_emit::Carried::boolean:
-            return value.whole != 0 ? "true" : "false";
-        case cpp_emit::Carried::whole:
-            return fmt::format("{}", value.whole);
-        case cpp_emit::Carried::enumeration:
-            break;
-    }
-    const auto& literals = port.literals[argument];
-    const bool named = value.whole >= 0 && static_cast<std::size_t>(value.whole) < literals.size();
-    return named ? literals[static_cast<std::size_t>(value.whole)] : fmt::format("{}", value.whole);
-}
-
 }  // namespace
 
-/// Follows the claims in one trial.
-class ClaimGuard::Watch final : public simulation::Trace {
+/// Follows the claims about one robot.
+class ClaimDuties::Robot final : public Follower {
 public:
-    Watch(ClaimGuard& all, std::uint32_t trial, std::unique_ptr<simulation::Trace> other)
-        : all_(all), trial_(trial), other_(std::move(other)), broken_(all.watched_.size(), 0) {
-        const simulation::Scenario& scenario = all.scenario_;
-        for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind) first_.push_back(scenario.first_robot(kind));
-        first_.push_back(scenario.all_robots());
-    }
-    ~Watch() override {
-        all_.robots_ += robots_.size();
-        for (const Robot& robot : robots_)
-            for (const Followed& followed : robot.followed)
-                if (!followed.run.is_broken() && !followed.run.unknown().empty()) {
-                    const std::lock_guard lock(all_.mutex_);
-                    all_.given_up_.emplace(followed.number, followed.run.unknown());
-                }
-    }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
-
-    void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-                       rc_drive_result result) override {
-        if (other_ != nullptr) other_->observe_cycle(robot, step, inputs, outputs, result);
-        while (robots_.size() <= robot) add_robot(robots_.size());
-        Robot& of = robots_[robot];
-        if (of.ended) return;
-        of.ended = result != RC_DRIVE_QUIESCENT;
-        const cpp_emit::DriveEmission& emission = *all_.kinds_[of.kind].emission;
-        for (Followed& followed : of.followed) {
-            if (followed.run.is_broken()) continue;
-            follow_cycle(followed.run, emission, inputs, outputs, result);
-            if (followed.run.is_broken()) note(followed, robot);
-        }
+    Robot(ClaimDuties& all, std::size_t kind) : all_(all), kind_(all.kinds_[kind]) {
+        for (std::size_t i = 0; i < all.claims_.size(); ++i)
+            if (all.claims_[i].kind == kind)
+                runs_.push_back({i, driver::FollowedClaim(*all.claims_[i].claim, kind_.project->system,
+                                                          kind_.project->unit, all.claims_[i].drops)});
     }
 
-    [[nodiscard]] const simulation::Objection* current_objection() const override {
-        if (!objection_.cause.empty()) return &objection_;
-        return other_ == nullptr ? nullptr : other_->current_objection();
-    }
-    [[nodiscard]] bool is_conclusive() const override {
-        return (other_ == nullptr || other_->is_conclusive()) && std::ranges::none_of(robots_, [](const Robot& robot) {
-                   return std::ranges::any_of(robot.followed, [](const Followed& followed) {
-                       return !followed.run.is_broken() && !followed.run.unknown().empty();
-                   });
-               });
-    }
-    [[nodiscard]] double kept_share(std::size_t measure) const override {
-        for (std::size_t i = 0; i < all_.watched_.size(); ++i) {
-            const Watched& watched = all_.watched_[i];
-            if (watched.measure != measure) continue;
-            const auto robots = static_cast<double>(first_[watched.kind + 1] - first_[watched.kind]);
-            return robots > 0 ? 1 - static_cast<double>(broken_[i]) / robots : 1;
+    [[nodiscard]] std::vector<BrokenDuty> observe_cycle(const rc_signal* inputs, const rc_actions& outputs,
+                                                        rc_drive_result result) override {
+        std::vector<BrokenDuty> broken;
+        if (ended_) return broken;
+        ended_ = result != RC_DRIVE_QUIESCENT;
+        for (Run& run : runs_) {
+            if (run.claim.is_broken()) continue;
+            follow_cycle(run.claim, inputs, outputs, result);
+            if (run.claim.is_broken()) broken.push_back(broken_duty(run));
         }
-        return Trace::kept_share(measure);
+        return broken;
+    }
+    [[nodiscard]] bool is_conclusive() const override { return std::ranges::none_of(runs_, is_open); }
+    void end() override {
+        for (const Run& run : runs_)
+            if (is_open(run)) all_.given_up_.emplace(run.number, run.claim.unknown());
     }
 
 private:
-    struct Followed {
-        std::size_t number = 0;  ///< in watched_
-        driver::FollowedClaim run;
-    };
-    struct Robot {
-        std::size_t kind = 0;
-        bool ended = false;
-        std::vector<Followed> followed;
+    struct Run {
+        std::size_t number = 0;  ///< of the claim
+        driver::FollowedClaim claim;
     };
 
-    void add_robot(std::size_t number) {
-        Robot& robot = robots_.emplace_back();
-        robot.kind = static_cast<std::size_t>(std::ranges::upper_bound(first_, number) - first_.begin()) - 1;
-        const driver::Project& project = *all_.kinds_[robot.kind].project;
-        for (std::size_t i = 0; i < all_.watched_.size(); ++i)
-            if (all_.watched_[i].kind == robot.kind)
-                robot.followed.push_back({i, driver::FollowedClaim(*all_.watched_[i].claim, project.system,
-                                                                   project.unit, all_.watched_[i].drops)});
-    }
+    static bool is_open(const Run& run) { return !run.claim.is_broken() && !run.claim.unknown().empty(); }
 
-    void follow_cycle(driver::FollowedClaim& run, const cpp_emit::DriveEmission& emission, const rc_signal* inputs,
-                      const rc_actions& outputs, rc_drive_result result) const {
+    void follow_cycle(driver::FollowedClaim& run, const rc_signal* inputs, const rc_actions& outputs,
+                      rc_drive_result result) const {
+        const cpp_emit::DriveEmission& emission = *kind_.emission;
         for (std::size_t i = 0; i < emission.inputs.size(); ++i) {
             const cpp_emit::Port& port = emission.inputs[i];
             if (inputs[i].present == 0 || port.kind != cpp_emit::Port::Kind::event) continue;
-            std::vector<std::string> values;
-            if (!port.arguments.empty()) values.push_back(value_text(port, 0, inputs[i].value));
-            run.observe(port.name, true, values);
+            run.observe(port.name, true, carried_texts(port, &inputs[i].value));
         }
         for (std::uint32_t a = 0; a < outputs.count; ++a) {
             const cpp_emit::Port& port = emission.outputs[outputs.action[a].output];
             if (port.kind == cpp_emit::Port::Kind::variable) continue;
-            std::vector<std::string> values;
-            for (std::size_t k = 0; k < port.arguments.size(); ++k)
-                values.push_back(value_text(port, k, outputs.action[a].argument[k]));
-            run.observe(port.name, false, values);
+            run.observe(port.name, false, carried_texts(port, outputs.action[a].argument));
         }
         if (result == RC_DRIVE_TERMINATED) run.end();
         for (std::uint32_t t = 0; result == RC_DRIVE_QUIESCENT && t < all_.scenario_.units_per_step; ++t) run.tock();
     }
 
-    void note(const Followed& followed, std::size_t robot) {
-        const Watched& watched = all_.watched_[followed.number];
-        ++broken_[followed.number];
-        const std::string text = fmt::format("{}", fmt::join(followed.run.reasons(), "; "));
-        if (watched.stops && objection_.cause.empty()) {
-            objection_.cause = fmt::format("{} is broken: {}", watched.claim->name, text);
-            objection_.place = all_.kinds_[watched.kind].project->sources.path_and_line(watched.claim->span);
-        }
-        const std::lock_guard lock(all_.mutex_);
-        const auto known = all_.broken_.find(followed.number);
-        if (known != all_.broken_.end() && known->second.trial <= trial_) return;
-        all_.broken_[followed.number] = {trial_, robot, text};
+    [[nodiscard]] BrokenDuty broken_duty(const Run& run) const {
+        const WatchedClaim& followed = all_.claims_[run.number];
+        BrokenDuty result;
+        result.number = run.number;
+        result.reasons = fmt::format("{}", fmt::join(run.claim.reasons(), "; "));
+        if (followed.stops) result.cause = fmt::format("{} is broken: {}", followed.claim->name, result.reasons);
+        result.place = kind_.project->sources.path_and_line(followed.claim->span);
+        return result;
     }
 
-    ClaimGuard& all_;
-    std::uint32_t trial_;
-    std::unique_ptr<simulation::Trace> other_;
-    std::vector<std::size_t> first_;   ///< the first robot of each kind, and the number of robots
-    std::vector<std::size_t> broken_;  ///< by claim: number of robots that broke it
-    std::vector<Robot> robots_;
-    simulation::Objection objection_;
+    ClaimDuties& all_;
+    const FollowedKind& kind_;
+    bool ended_ = false;
+    std::vector<Run> runs_;
 };
 
-ClaimGuard::ClaimGuard(const simulation::Scenario& scenario, std::vector<FollowedKind> kinds,
-                       std::vector<Watched> watched)
-    : scenario_(scenario), kinds_(std::move(kinds)), watched_(std::move(watched)) {}
-
-simulation::Guard::Maker ClaimGuard::make_observer(Maker other) {
-    return [this, other = std::move(other)](std::uint32_t trial) {
-        return std::make_unique<Watch>(*this, trial, other ? other(trial) : nullptr);
-    };
+ClaimDuties::ClaimDuties(const simulation::Scenario& scenario, std::vector<FollowedKind> kinds,
+                         std::vector<WatchedClaim> claims, std::vector<std::string> left_out)
+    : scenario_(scenario), kinds_(std::move(kinds)), claims_(std::move(claims)), left_out_(std::move(left_out)) {
+    for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind) first_.push_back(scenario.first_robot(kind));
+    first_.push_back(scenario.all_robots());
 }
 
-std::string ClaimGuard::summary_lines() const {
+std::unique_ptr<Follower> ClaimDuties::make_follower(std::size_t robot) {
+    const auto kind = static_cast<std::size_t>(std::ranges::upper_bound(first_, robot) - first_.begin()) - 1;
+    return std::make_unique<Robot>(*this, kind);
+}
+
+void ClaimDuties::note_broken(std::uint32_t trial, std::size_t robot, const BrokenDuty& broken) {
+    const auto known = broken_.find(broken.number);
+    if (known != broken_.end() && known->second.trial <= trial) return;
+    broken_[broken.number] = {trial, robot, broken.reasons};
+}
+
+std::optional<double> ClaimDuties::kept_share(std::size_t measure,
+                                              const std::map<std::size_t, std::size_t>& broken) const {
+    for (std::size_t i = 0; i < claims_.size(); ++i) {
+        const WatchedClaim& followed = claims_[i];
+        if (followed.measure != measure) continue;
+        const auto robots = static_cast<double>(first_[followed.kind + 1] - first_[followed.kind]);
+        const auto found = broken.find(i);
+        if (found == broken.end() || robots <= 0) return 1;
+        return 1 - static_cast<double>(found->second) / robots;
+    }
+    return std::nullopt;
+}
+
+std::string ClaimDuties::summary_lines(std::uint64_t robots) const {
     std::string text = fmt::format("  claims followed: {}; robots watched: {}; an input counts when it is raised\n",
-                                   watched_.size(), robots_.load());
+                                   claims_.size(), robots);
     for (const std::string& reason : left_out_) text += fmt::format("  not followed: {}\n", reason);
     for (const auto& [number, why] : given_up_)
-        text += fmt::format("  {}: not followed to the end: {}\n", watched_[number].claim->name,
+        text += fmt::format("  {}: not followed to the end: {}\n", claims_[number].claim->name,
                             diagnostics::escape_for_display(why));
     for (const auto& [number, broken] : broken_)
-        text += fmt::format("  {}: first broken in trial {} by robot {}: {}\n", watched_[number].claim->name,
+        text += fmt::format("  {}: first broken in trial {} by robot {}: {}\n", claims_[number].claim->name,
                             broken.trial + 1, broken.robot, diagnostics::escape_for_display(broken.text));
     return text;
 }
@@ -235,20 +187,18 @@ public:
            const Options& options)
         : scenario_(scenario), kinds_(std::move(kinds)), reports_(reports), options_(options) {}
 
-    std::unique_ptr<ClaimGuard> find() {
+    std::unique_ptr<ClaimDuties> find() {
         for (std::size_t m = 0; m < scenario_.measures.size(); ++m)
             if (scenario_.measures[m].kind == MeasureKind::kept) add_measure(m, scenario_.measures[m]);
         const bool monitors = options_.simulate.guarding_rules.ends_with(".claims");
         if (monitors)
             for (std::size_t kind = 0; kind < scenario_.kind_count(); ++kind) add_file(kind);
-        if (monitors && watched_.empty())
+        if (monitors && followed_.empty())
             refuse({}, fmt::format("--monitor {}: no claim of the file is about the controller{}",
                                    diagnostics::escape_for_display(options_.simulate.guarding_rules),
                                    left_out_.empty() ? "" : ": " + left_out_.front()));
-        if (watched_.empty()) return nullptr;
-        auto guard = std::make_unique<ClaimGuard>(scenario_, kinds_, std::move(watched_));
-        for (std::string& reason : left_out_) guard->add_left_out(std::move(reason));
-        return guard;
+        if (followed_.empty()) return nullptr;
+        return std::make_unique<ClaimDuties>(scenario_, kinds_, std::move(followed_), std::move(left_out_));
     }
 
 private:
@@ -269,7 +219,10 @@ private:
         if (const std::string why = claims::why_not_monitored(claim); !why.empty())
             return fmt::format("{}: {}", claim.name, why);
         const std::string missing = missing_channel(claim, *kinds_[kind].emission);
-        if (missing.empty()) return "";
+        if (missing.empty()) {
+            const std::string other = driver::why_other_constants(*kinds_[kind].project, claim);
+            return other.empty() ? "" : fmt::format("{}: {}", claim.name, other);
+        }
         return fmt::format("{}: the controller has no event and no operation `{}`", claim.name, missing);
     }
 
@@ -285,7 +238,7 @@ private:
                 const std::string against = reason_against(claim, kind);
                 if (!against.empty())
                     reports_.diagnostics.report(simulation::rules::out_of_range, measure.state.span, {against});
-                watched_.push_back({&claim, kind, false, number, drops(claim, kind)});
+                followed_.push_back({&claim, kind, false, number, drops(claim, kind)});
                 return;
             }
         }
@@ -308,7 +261,7 @@ private:
                                       ? reason_against(claim, kind)
                                       : fmt::format("{} is about {}", claim.name, claim.component.path);
             if (against.empty())
-                watched_.push_back({&claim, kind, true, std::nullopt, drops(claim, kind)});
+                followed_.push_back({&claim, kind, true, std::nullopt, drops(claim, kind)});
             else
                 left_out_.push_back(std::move(against));
         }
@@ -318,7 +271,7 @@ private:
     std::vector<FollowedKind> kinds_;
     driver::Project& reports_;
     const Options& options_;
-    std::vector<ClaimGuard::Watched> watched_;
+    std::vector<WatchedClaim> followed_;
     std::vector<std::string> left_out_;
 };
 
@@ -331,8 +284,8 @@ void refuse_followed_claims(const simulation::Scenario& scenario, driver::Projec
                                        {"claims of the model are followed by `simulate` and in sweeps, not here"});
 }
 
-std::unique_ptr<ClaimGuard> make_claim_guard(const simulation::Scenario& scenario, std::vector<FollowedKind> kinds,
-                                             driver::Project& reports, const Options& options) {
+std::unique_ptr<ClaimDuties> find_claim_duties(const simulation::Scenario& scenario, std::vector<FollowedKind> kinds,
+                                               driver::Project& reports, const Options& options) {
     return Finder(scenario, std::move(kinds), reports, options).find();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See rule_guard.hpp.
-#include "app/rules/rule_guard.hpp"
+// See rule_duties.hpp.
+#include "app/rules/rule_duties.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,26 +44,6 @@ std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_em
     return std::nullopt;
 }
 
-/// A value as in rules; "" if no rule can name it.
-std::string argument_text(const cpp_emit::Port& port, std::size_t place, rc_value value) {
-    switch (port.arguments[place]) {
-        case cpp_emit::Carried::boolean:
-            return value.whole != 0 ? "true" : "false";
-        case cpp_emit::Carried::whole:
-            return fmt::format("{}", value.whole);
-        case cpp_emit::Carried::real: {
-            constexpr double exact = 9e15;
-            const bool whole = std::abs(value.real) < exact && std::trunc(value.real) == value.real;
-            return whole ? fmt::format("{}", static_cast<std::int64_t>(value.real)) : "";
-        }
-        case cpp_emit::Carried::enumeration:
-            break;
-    }
-    const auto& literals = port.literals[place];
-    const bool known = value.whole >= 0 && static_cast<std::size_t>(value.whole) < literals.size();
-    return known ? literals[static_cast<std::size_t>(value.whole)] : "";
-}
-
 /// Collects the events of a response, including those after `otherwise` and `unless`.
 void events_of(const sleec::DutyPtr& duty, std::vector<std::size_t>& events) {
     if (duty == nullptr) return;
@@ -74,89 +54,64 @@ void events_of(const sleec::DutyPtr& duty, std::vector<std::size_t>& events) {
 
 }  // namespace
 
-/// Monitors the rules in one trial.
-class RuleGuard::Watch final : public simulation::Trace {
+/// Follows the rules for one robot.
+class RuleDuties::Robot final : public Follower {
 public:
-    Watch(RuleGuard& all, std::unique_ptr<simulation::Trace> other) : all_(all), other_(std::move(other)) {}
-    ~Watch() override {
-        all_.robots_ += robots_.size();
-        const std::lock_guard lock(all_.mutex_);
-        for (const Robot& robot : robots_)
-            for (const std::size_t rule : robot.run.open_triggers()) ++all_.open_[rule];
-    }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
+    explicit Robot(RuleDuties& all)
+        : all_(all), run_({all.rules_, all.loaded_->sources}, sleec::WithoutLimit::eventually) {}
 
-    void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
-                       rc_drive_result result) override {
-        if (other_ != nullptr) other_->observe_cycle(robot, step, inputs, outputs, result);
-        while (robots_.size() <= robot)
-            robots_.push_back({driver::RuleRun({all_.rules_, all_.loaded_->sources}, sleec::WithoutLimit::eventually)});
-        if (robots_[robot].given_up) return;
+    [[nodiscard]] std::vector<BrokenDuty> observe_cycle(const rc_signal* inputs, const rc_actions& outputs,
+                                                        rc_drive_result /*result*/) override {
+        if (run_.is_broken() || !given_up_.empty()) return {};
         try {
-            follow_cycle(robots_[robot].run, inputs, outputs);
+            follow_cycle(inputs, outputs);
         } catch (const sleec::NotDecided& error) {
-            robots_[robot].given_up = true;
-            const std::lock_guard lock(all_.mutex_);
-            all_.given_up_ = error.what();
+            given_up_ = error.what();
+            return {};
         }
+        if (!run_.is_broken()) return {};
+        BrokenDuty broken;
+        broken.reasons = fmt::format("{}", fmt::join(run_.violation_text(), "; "));
+        broken.cause = broken.reasons;
+        broken.place = all_.loaded_->sources.path_and_line(run_.violation_place());
+        return {broken};
     }
-
-    [[nodiscard]] const simulation::Objection* current_objection() const override {
-        return objection_.cause.empty() ? nullptr : &objection_;
-    }
-
-    [[nodiscard]] bool is_conclusive() const override {
-        return std::ranges::none_of(
-            robots_, [](const Robot& robot) { return robot.given_up || !robot.run.open_triggers().empty(); });
+    [[nodiscard]] bool is_conclusive() const override { return given_up_.empty() && run_.open_triggers().empty(); }
+    void end() override {
+        if (!given_up_.empty()) all_.given_up_ = given_up_;
+        for (const std::size_t rule : run_.open_triggers()) ++all_.open_[rule];
     }
 
 private:
-    struct Robot {
-        driver::RuleRun run;
-        bool given_up = false;  ///< the rules demand more than a monitor can follow
-    };
-
-    /// Follows one cycle of a robot's controller.
-    void follow_cycle(driver::RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
+    void follow_cycle(const rc_signal* inputs, const rc_actions& outputs) {
         const auto& emission = all_.emission_;
         for (std::size_t i = 0; i < all_.inputs_.size(); ++i)
-            if (inputs[i].present != 0) take_port(run, all_.inputs_[i], emission.inputs[i], &inputs[i].value);
+            if (inputs[i].present != 0) take_port(all_.inputs_[i], emission.inputs[i], &inputs[i].value);
         for (std::uint32_t a = 0; a < outputs.count; ++a) {
             const rc_action& action = outputs.action[a];
-            take_port(run, all_.outputs_[action.output], emission.outputs[action.output], action.argument);
+            take_port(all_.outputs_[action.output], emission.outputs[action.output], action.argument);
         }
-        for (std::uint32_t t = 0; t < all_.units_ && !run.is_broken(); ++t) run.end_second();
-        if (run.is_broken()) set_objection(run);
+        for (std::uint32_t t = 0; t < all_.units_ && !run_.is_broken(); ++t) run_.end_second();
     }
 
-    void take_port(driver::RuleRun& run, const Linked& linked, const cpp_emit::Port& port,
-                   const rc_value* values) const {
+    void take_port(const Linked& linked, const cpp_emit::Port& port, const rc_value* values) {
         for (const std::size_t measure : linked.measures)
-            run.read(measure,
-                     port.arguments.size() == 1 ? value_of(all_.rules_.measure(measure), port, *values) : std::nullopt);
+            run_.read(measure, port.arguments.size() == 1 ? value_of(all_.rules_.measure(measure), port, *values)
+                                                          : std::nullopt);
         for (const std::size_t declared : linked.events) {
             std::vector<std::string> texts;
-            if (!all_.rules_.arguments[declared].empty())
-                for (std::size_t i = 0; i < port.arguments.size(); ++i)
-                    texts.push_back(argument_text(port, i, values[i]));
-            if (const auto event = all_.rules_.case_of(declared, texts)) run.add_event(*event);
+            if (!all_.rules_.arguments[declared].empty()) texts = carried_texts(port, values);
+            if (const auto event = all_.rules_.case_of(declared, texts)) run_.add_event(*event);
         }
     }
 
-    void set_objection(const driver::RuleRun& run) {
-        objection_.cause = fmt::format("{}", fmt::join(run.violation_text(), "; "));
-        objection_.place = all_.loaded_->sources.path_and_line(run.violation_place());
-    }
-
-    RuleGuard& all_;
-    std::unique_ptr<simulation::Trace> other_;
-    std::vector<Robot> robots_;
-    simulation::Objection objection_;
+    RuleDuties& all_;
+    driver::RuleRun run_;
+    std::string given_up_;  ///< the rules demand more than a monitor can follow: the reason
 };
 
-RuleGuard::RuleGuard(std::unique_ptr<driver::LoadedRules> loaded, const cpp_emit::DriveEmission& emission,
-                     std::uint32_t units)
+RuleDuties::RuleDuties(std::unique_ptr<driver::LoadedRules> loaded, const cpp_emit::DriveEmission& emission,
+                       std::uint32_t units)
     : loaded_(std::move(loaded)),
       emission_(emission),
       units_(units),
@@ -167,7 +122,7 @@ RuleGuard::RuleGuard(std::unique_ptr<driver::LoadedRules> loaded, const cpp_emit
     leave_out();
 }
 
-std::vector<RuleGuard::Linked> RuleGuard::link_ports(const std::vector<cpp_emit::Port>& ports) {
+std::vector<RuleDuties::Linked> RuleDuties::link_ports(const std::vector<cpp_emit::Port>& ports) {
     const driver::RuleWords words(*loaded_->rules);
     std::vector<std::string> exported;
     for (const cpp_emit::Port& port : ports) exported.push_back(port.exported);
@@ -184,7 +139,7 @@ std::vector<RuleGuard::Linked> RuleGuard::link_ports(const std::vector<cpp_emit:
 }
 
 /// Removes rules about events that the controller does not have.
-void RuleGuard::leave_out() {
+void RuleDuties::leave_out() {
     std::vector<sleec::CheckedRule> followed;
     for (std::size_t i = 0; i < rules_.rules.size(); ++i) {
         const sleec::CheckedRule& rule = rules_.rules[i];
@@ -204,36 +159,34 @@ void RuleGuard::leave_out() {
     rules_.rules = std::move(followed);
 }
 
-simulation::Guard::Maker RuleGuard::make_observer(Maker other) {
-    return [this, other = std::move(other)](std::uint32_t trial) {
-        return std::make_unique<Watch>(*this, other ? other(trial) : nullptr);
-    };
+std::unique_ptr<Follower> RuleDuties::make_follower(std::size_t /*robot*/) {
+    return std::make_unique<Robot>(*this);
 }
 
-std::string RuleGuard::summary_lines() const {
+std::string RuleDuties::summary_lines(std::uint64_t robots) const {
     std::string text = fmt::format("  rules of {}: {} followed; robots watched: {}; {}\n",
-                                   diagnostics::escape_for_display(loaded_->path), followed_count(), robots_.load(),
+                                   diagnostics::escape_for_display(loaded_->path), followed_count(), robots,
                                    rules_.unit ? durations::second_text(rules_.unit) : "a time unit is a second");
     for (const std::string& reason : left_out_) text += fmt::format("  not followed: {}\n", reason);
     if (!given_up_.empty()) text += fmt::format("  robots were not followed to the end: {}\n", given_up_);
-    for (const auto& [rule, robots] : open_)
+    for (const auto& [rule, count] : open_)
         text += fmt::format(
             "  {}: of {} robots some triggers were not followed: a measure that decides what it asks for is not read\n",
-            rules_.name(rule), robots);
+            rules_.name(rule), count);
     return text;
 }
 
 namespace {
 
 /// Why the rules cannot be followed with these times; "" if they can.
-std::string refuse_unit(const std::optional<claims::DeclaredUnit>& declared, const RuleGuard& guard,
+std::string refuse_unit(const std::optional<claims::DeclaredUnit>& declared, const RuleDuties& duties,
                         const GuardedTimes& times, const diagnostics::SourceManager& sources) {
     using durations::duration_text;
     if (!times.unit) return "";
     if (declared && declared->nanoseconds != *times.unit)
         return fmt::format("one time unit is {} in the scenario, and {} in {}", duration_text(*times.unit),
                            duration_text(declared->nanoseconds), sources.path_and_line(declared->span));
-    if (!guard.counts_seconds() || *times.unit == durations::second) return "";
+    if (!duties.counts_seconds() || *times.unit == durations::second) return "";
     return fmt::format(
         "one time unit is {0} in the scenario, and the rules have limits in seconds: declare `unit {0}` in a .claims "
         "file beside the rules or the model; without it, a second of the rules would be one time unit",
@@ -242,8 +195,8 @@ std::string refuse_unit(const std::optional<claims::DeclaredUnit>& declared, con
 
 }  // namespace
 
-std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_emit::DriveEmission& emission,
-                                           const GuardedTimes& times, const Options& options, std::string& error) {
+std::unique_ptr<RuleDuties> find_rule_duties(const std::string& file, const cpp_emit::DriveEmission& emission,
+                                             const GuardedTimes& times, const Options& options, std::string& error) {
     auto loaded = std::make_unique<driver::LoadedRules>();
     loaded->diagnostics.set_budget(&options.run->budget());
     for (const std::string& code : options.load.allowed) loaded->diagnostics.allow_code(code);
@@ -256,10 +209,10 @@ std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_em
         return nullptr;
     }
     const diagnostics::SourceManager& sources = loaded->sources;
-    auto guard = std::make_unique<RuleGuard>(std::move(loaded), emission, times.units);
-    error = guard->followed_count() > 0 ? refuse_unit(declared, *guard, times, sources)
-                                        : "the controller has the events of none of its rules";
-    return error.empty() ? std::move(guard) : nullptr;
+    auto duties = std::make_unique<RuleDuties>(std::move(loaded), emission, times.units);
+    error = duties->followed_count() > 0 ? refuse_unit(declared, *duties, times, sources)
+                                         : "the controller has the events of none of its rules";
+    return error.empty() ? std::move(duties) : nullptr;
 }
 
 }  // namespace robochart::app
