@@ -553,6 +553,12 @@ bool TimeClaims::open_session() {
     return true;
 }
 
+std::string TimeClaims::stopped_evaluation() const {
+    if (!session_) return "";
+    const std::optional<cspm::EvaluationError> stopped = session_->take_stopped_evaluation();
+    return stopped ? "; " + runs::placed_failure(*stopped, project_.system, project_.sources) : "";
+}
+
 AssertionReport TimeClaims::decide(const Turn& turn, const ListedClaim& claim) {
     SearchContext search{search_.settings, search_.services, turn};
     search.turn.on_progress = [&](const refine::Progress& progress) { note_progress(progress, claim.number); };
@@ -567,7 +573,8 @@ AssertionReport TimeClaims::decide(const Turn& turn, const ListedClaim& claim) {
         one = undecided(claim);
         one.reason = limit.what();
     }
-    if (one.answer == Answer::inconclusive) one.reason = ended_turn(one.reason, search);
+    const std::string stopped = stopped_evaluation();
+    if (one.answer == Answer::inconclusive) one.reason = ended_turn(one.reason, search) + stopped;
     return one;
 }
 
