@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <iterator>
 
@@ -379,12 +380,27 @@ Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& compone
     return result;
 }
 
-/// Completes a result for the least number of names: if it is not the result for all values, finds out how many names
-/// are needed, and repeats the check with them. A difference found with the least number is a real difference.
-Result decide_for_all(Result least, const TimedModel& timed, const ir::ComponentRef& component,
-                      const cpp_emit::Component& resolved, const Options& options) {
+/// Checks the component with as many names as represent all values. Code is compiled and explored once if this number
+/// is found quickly. Otherwise the check with the least number of names comes first, because a difference that it finds
+/// is a real difference.
+Result judge_names(const TimedModel& timed, const ir::ComponentRef& component, const cpp_emit::Component& resolved,
+                   const Options& options, diagnostics::Diagnostics& diagnostics) {
+    constexpr std::chrono::seconds quickly{1};
+    const RenamedSystem& model = timed.model;
+    const auto judge = [&](std::size_t names, diagnostics::Diagnostics& findings) {
+        const Representatives few =
+            choose_representatives(model.system, model.instantiation, resolved, names, model.list_bounds);
+        return judge_few_values(timed, component, few, options, findings);
+    };
+    Options quick = options;
+    const auto end = std::chrono::steady_clock::now() + quickly;
+    quick.limits.deadline = std::min(options.limits.deadline.value_or(end), end);
+    EnoughNames enough = enough_names(model, component, resolved, quick, *timed.sources);
+    if (enough.names) return judge(*enough.names, diagnostics);
+    Result least = judge(least_names, diagnostics);
     if (least.outcome != Outcome::conforms) return least;
-    const EnoughNames enough = enough_names(timed.model, component, resolved, options, *timed.sources);
+    if (std::chrono::steady_clock::now() >= end)
+        enough = enough_names(model, component, resolved, options, *timed.sources);
     if (enough.names == least_names) return least;
     if (!enough.names) {
         least.outcome = Outcome::inconclusive;
@@ -392,10 +408,7 @@ Result decide_for_all(Result least, const TimedModel& timed, const ir::Component
         return least;
     }
     diagnostics::Diagnostics apart;  // discarded, because the first check has reported the same findings
-    return judge_few_values(timed, component,
-                            choose_representatives(timed.model.system, timed.model.instantiation, resolved,
-                                                   *enough.names, timed.model.list_bounds),
-                            options, apart);
+    return judge(*enough.names, apart);
 }
 
 /// The component with its types of numbers, and the model over the values that represent all numbers.
@@ -636,8 +649,7 @@ Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& comp
         few = choose_representatives(model.system, model.instantiation, *resolved, least_names, model.list_bounds);
     if (few.types.empty())
         return judge_values(timed, component, model.instantiation, timed.script, options, diagnostics);
-    Result least = judge_few_values(timed, component, few, options, diagnostics);
-    return decide_for_all(std::move(least), timed, component, *resolved, options);
+    return judge_names(timed, component, *resolved, options, diagnostics);
 }
 
 }  // namespace
