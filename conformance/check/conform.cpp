@@ -23,6 +23,7 @@
 #include "conformance/check/robot_numbers.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/check/violated_precondition.hpp"
+#include "conformance/check/window_thresholds.hpp"
 #include "conformance/code/shared_object.hpp"
 #include "conformance/code/tracked_code.hpp"
 #include "conformance/model/component.hpp"
@@ -548,7 +549,9 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
             result.lists_of_any_length = true;
             const bool sequences = std::ranges::any_of(
                 search.types, [&](ir::TypeId type) { return ir::is_number_sequence(timed.model.system, type); });
-            if (result.outcome == Outcome::conforms && !sequences) {
+            if (result.outcome == Outcome::conforms && sequences) {
+                test_window_thresholds(result, timed.model.system, model, *timed.sources, options.rounding_allowed);
+            } else if (result.outcome == Outcome::conforms) {
                 const Interface interface =
                     interface_of_model(model.system, timed.model.instantiation, component, script.provenance, code);
                 diagnostics::Budget budget(options.limits);

@@ -46,7 +46,7 @@ struct ModelComparison {
     TypeId type;                                    ///< of the value; one of ValueModel::types
     const Expr* expr = nullptr;                     ///< in the system of the model
     std::map<const Expr*, std::int64_t> constants;  ///< the constants in it: reals in units, other numbers as they are
-    std::vector<bool> answers;                      ///< for each explored value of the type
+    std::vector<bool> answers;                      ///< for each explored value of the type; empty for sequences
 };
 
 /// A system whose numbers are literals of enumerations, one for each explored value.
