@@ -37,6 +37,7 @@ def tables(quick: bool) -> list[Table]:
     return [
         Table("Benchmarks", [[str(KERNELS / name), "--benchmark_min_time=0.5"]
                              for name in ("benchmark_controllers", "benchmark_checker", "benchmark_prism")]),
+        Table("Data compared with an earlier build", needs=f"{shared}, and another build of the command"),
         Table("Probabilities", [[str(KERNELS / "benchmark_markov"), "60"]]),
         Table("Published models", needs=f"{shared}; the originals: UoY-RoboStar/uvc-case-study on GitHub, and the "
                                         "Quantitative Verification Benchmark Set, ahartmanns/qcomp on GitHub"),

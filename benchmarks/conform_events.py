@@ -108,4 +108,5 @@ def main():
         measure(options.program, count)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -55,6 +55,8 @@ BENCHMARKS = {
     "components": Benchmark("deadlock, divergence and determinism of every component of RoboTool's scripts",
                             script("decide_components.py", "--scripts", SHARED / "suite/robotool-csp", "--typecheck",
                                    SHARED / "bench/hvc/robotool-csp/properties_assertions.csp")),
+    "data": Benchmark("models with data and with many events, compared with another build: run.py data PROGRAM",
+                      script("compare_data.py", "--folder", SHARED / "suite/data", "--before")),
     "diagrams": Benchmark("the time to draw diagrams, and crossings compared with ELK's layered layout",
                           ["benchmarks/diagrams.sh", str(KERNELS / "benchmark_diagrams"), str(SHARED)], ["benchmark_diagrams"]),
     "disk": Benchmark("searches with checkpoints and with states on disk", script("search_on_disk.py"),

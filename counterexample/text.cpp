@@ -249,4 +249,27 @@ std::string text_of(const Run& run, std::string_view indent) {
     return Writer(run, indent).write();
 }
 
+std::string short_text_of(const Run& run) {
+    std::string result, now;
+    std::int64_t time = 0;
+    const bool timed = std::ranges::any_of(run.steps, [](const Step& step) { return step.time.has_value(); });
+    const auto end = [&] {
+        if (now.empty()) return;
+        result += (result.empty() ? "" : "; ") + now;
+        if (timed) result += fmt::format(" at time {}", time);
+        now.clear();
+    };
+    for (const Step& step : run.steps) {
+        if (step.event.kind == Kind::tock) {
+            end();
+            time += step.units;
+        }
+        const bool shown = step.event.kind == Kind::input || step.event.kind == Kind::output ||
+                           step.event.kind == Kind::call || step.event.kind == Kind::assignment;
+        if (shown && !step.hidden) now += (now.empty() ? "" : ", ") + step.event.text;
+    }
+    end();
+    return result;
+}
+
 }  // namespace robochart::runs

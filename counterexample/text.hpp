@@ -24,4 +24,8 @@ namespace robochart::runs {
 /// Returns the text of a run: one line per step, and then the end of the run and the violation.
 [[nodiscard]] std::string text_of(const Run&, std::string_view indent);
 
+/// The visible inputs, outputs, calls and assignments of a run, and in timed runs the times at which they happen:
+/// "input e with false at time 0; ...".
+[[nodiscard]] std::string short_text_of(const Run&);
+
 }  // namespace robochart::runs

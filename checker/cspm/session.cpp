@@ -777,6 +777,10 @@ std::string Session::evaluate(const ExprPtr& expr) {
     return impl_->loaded.evaluator.print(*ready.code, *ready.unit);
 }
 
+std::optional<EvaluationError> Session::take_stopped_evaluation() {
+    return impl_->loaded.evaluator.take_stopped();
+}
+
 process::EventTable& Session::event_table() {
     return impl_->loaded.events;
 }

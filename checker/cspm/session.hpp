@@ -100,6 +100,8 @@ public:
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(const ExprPtr&, const refine::Limits&);
     /// Returns the events that an expression denotes, which may be an event or a set of events.
     [[nodiscard]] process::EventSet events(const ExprPtr&);
+    /// If a limit has ended a long evaluation since the last call: the place and the calls of this evaluation.
+    [[nodiscard]] std::optional<EvaluationError> take_stopped_evaluation();
     /// Evaluates an expression of any other type. Returns its value, printed like FDR's `print`.
     [[nodiscard]] std::string evaluate(const ExprPtr&);
     /// Evaluates the expression within limits. Throws process::Interrupted if a limit is reached.

@@ -108,4 +108,10 @@ std::optional<ComparedNumbers> compare_on_robot(const ir::System& system, const 
     return compared(comparison.expr->kind, computer.whole(left), computer.whole(right));
 }
 
+std::optional<double> constant_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
+                                        std::int64_t scale, const ir::Expr& operand) {
+    const NumberSpace no_parts{{}, {}, scale};
+    return Computer(system, comparison, no_parts, {}).real(operand);
+}
+
 }  // namespace robochart::conformance

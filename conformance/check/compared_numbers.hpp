@@ -2,6 +2,7 @@
 // Computes the two sides of a comparison of the model as the code on the robot computes them, for reports.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -23,5 +24,9 @@ struct ComparedNumbers {
 [[nodiscard]] std::optional<ComparedNumbers> compare_on_robot(const ir::System& system,
                                                               const ir::ModelComparison& comparison,
                                                               const NumberSpace& space, const TriedValue& value);
+
+/// An operand of the comparison that reads no variable, computed as the code computes it. No value for other operands.
+[[nodiscard]] std::optional<double> constant_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
+                                                      std::int64_t scale, const ir::Expr& operand);
 
 }  // namespace robochart::conformance

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <iterator>
 
@@ -23,6 +24,7 @@
 #include "conformance/check/robot_numbers.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/check/violated_precondition.hpp"
+#include "conformance/check/window_thresholds.hpp"
 #include "conformance/code/shared_object.hpp"
 #include "conformance/code/tracked_code.hpp"
 #include "conformance/model/component.hpp"
@@ -382,12 +384,27 @@ Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& compone
     return result;
 }
 
-/// Completes a result for the least number of names. If it is not the result for all values, finds out how many names
-/// are needed, and repeats the check with them. A difference found with the least number is a real difference.
-Result decide_for_all(Result least, const TimedModel& timed, const ir::ComponentRef& component,
-                      const cpp_emit::Component& resolved, const Options& options) {
+/// Checks the component with as many names as represent all values. Code is compiled and explored once if this number
+/// is found quickly. Otherwise the check with the least number of names comes first, because a difference that it finds
+/// is a real difference.
+Result judge_names(const TimedModel& timed, const ir::ComponentRef& component, const cpp_emit::Component& resolved,
+                   const Options& options, diagnostics::Diagnostics& diagnostics) {
+    constexpr std::chrono::seconds quickly{1};
+    const RenamedSystem& model = timed.model;
+    const auto judge = [&](std::size_t names, diagnostics::Diagnostics& findings) {
+        const Representatives few =
+            choose_representatives(model.system, model.instantiation, resolved, names, model.list_bounds);
+        return judge_few_values(timed, component, few, options, findings);
+    };
+    Options quick = options;
+    const auto end = std::chrono::steady_clock::now() + quickly;
+    quick.limits.deadline = std::min(options.limits.deadline.value_or(end), end);
+    EnoughNames enough = enough_names(model, component, resolved, quick, *timed.sources);
+    if (enough.names) return judge(*enough.names, diagnostics);
+    Result least = judge(least_names, diagnostics);
     if (least.outcome != Outcome::conforms) return least;
-    const EnoughNames enough = enough_names(timed.model, component, resolved, options, *timed.sources);
+    if (std::chrono::steady_clock::now() >= end)
+        enough = enough_names(model, component, resolved, options, *timed.sources);
     if (enough.names == least_names) return least;
     if (!enough.names) {
         least.outcome = Outcome::inconclusive;
@@ -395,10 +412,7 @@ Result decide_for_all(Result least, const TimedModel& timed, const ir::Component
         return least;
     }
     diagnostics::Diagnostics apart;  // discarded, because the first check has reported the same findings
-    return judge_few_values(timed, component,
-                            choose_representatives(timed.model.system, timed.model.instantiation, resolved,
-                                                   *enough.names, timed.model.list_bounds),
-                            options, apart);
+    return judge(*enough.names, apart);
 }
 
 /// The component with its types of numbers, and the model over the values that represent all numbers.
@@ -538,7 +552,9 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
             result.lists_of_any_length = true;
             const bool sequences = std::ranges::any_of(
                 search.types, [&](ir::TypeId type) { return ir::is_number_sequence(timed.model.system, type); });
-            if (result.outcome == Outcome::conforms && !sequences) {
+            if (result.outcome == Outcome::conforms && sequences) {
+                test_window_thresholds(result, timed.model.system, model, *timed.sources, options.rounding_allowed);
+            } else if (result.outcome == Outcome::conforms) {
                 const Interface interface =
                     interface_of_model(model.system, timed.model.instantiation, component, script.provenance, code);
                 diagnostics::Budget budget(options.limits);
@@ -640,8 +656,7 @@ Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& comp
         few = choose_representatives(model.system, model.instantiation, *resolved, least_names, model.list_bounds);
     if (few.types.empty())
         return judge_values(timed, component, model.instantiation, timed.script, options, diagnostics);
-    Result least = judge_few_values(timed, component, few, options, diagnostics);
-    return decide_for_all(std::move(least), timed, component, *resolved, options);
+    return judge_names(timed, component, *resolved, options, diagnostics);
 }
 
 }  // namespace

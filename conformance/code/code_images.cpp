@@ -38,16 +38,15 @@ CodeImages::Bytes CodeImages::fresh_state(unsigned char fill) const {
 }
 
 std::uint32_t CodeImages::intern(const Bytes& state) {
-    const std::string key(state.begin(), state.end());
-    const auto [place, fresh] = ids_.emplace(key, static_cast<std::uint32_t>(count_));
-    if (fresh) {
-        images_.insert(images_.end(), state.begin(), state.end());
-        ++count_;
-        if (code_->tracking != nullptr) return place->second;  // a known number and an input have the same text
-        const std::string text = print(place->second);
-        if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, place->second).second;
-    }
-    return place->second;
+    key_.assign(state.begin(), state.end());
+    if (const auto known = ids_.find(key_); known != ids_.end()) return known->second;
+    const auto image = static_cast<std::uint32_t>(count_++);
+    ids_.emplace(key_, image);
+    images_.insert(images_.end(), state.begin(), state.end());
+    if (code_->tracking != nullptr) return image;  // a known number and an input print alike
+    const std::string text = print(image);
+    if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, image).second;
+    return image;
 }
 
 CodeImages::Bytes CodeImages::bytes(std::uint32_t image) const {

@@ -44,6 +44,7 @@ private:
     const rc_interface* code_;
     std::uint64_t count_ = 0;
     Bytes images_;
+    std::string key_;  ///< of the image that is looked up; a member, so that it is allocated once
     std::unordered_map<std::string, std::uint32_t> ids_;  ///< never iterated, like the map below
     std::unordered_map<std::string, std::uint32_t> printed_;
     std::uint32_t reset_ = 0;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <set>
 #include <stdexcept>
 
@@ -163,24 +164,33 @@ std::uint32_t CodeSystem::build_tree(const Bytes& from, std::vector<rc_register>
     return intern_node(read, std::move(node));
 }
 
+void CodeSystem::append_to_key(std::uint32_t number) {
+    std::array<char, sizeof number> bytes{};
+    std::memcpy(bytes.data(), &number, sizeof number);
+    key_.append(bytes.data(), bytes.size());
+}
+
 std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
-    const std::string key = fmt::format("{}:{}", level, fmt::join(node, ","));
-    const auto [place, fresh] = node_ids_.emplace(key, static_cast<std::uint32_t>(nodes_.size()));
+    key_.clear();
+    append_to_key(static_cast<std::uint32_t>(level));
+    for (const std::uint32_t child : node) append_to_key(child);
+    const auto [place, fresh] = node_ids_.try_emplace(key_, static_cast<std::uint32_t>(nodes_.size()));
     if (fresh) nodes_.push_back(std::move(node));
     return place->second;
 }
 
 /// Returns one result, or a choice between the results of all branches of probabilistic junctions.
 std::uint32_t CodeSystem::run_all_choices(const Bytes& from, const std::vector<rc_register>& registers) {
-    CycleLog log;
+    log_.clear();
+    log_.given = 0;
     std::vector<std::uint32_t> ways;
     std::size_t trials = 0;
     do {
         if (++trials > max_trials) throw std::length_error("a cycle has too many choices");
-        const std::uint32_t result = run_once(from, registers, log);
+        const std::uint32_t result = run_once(from, registers);
         if (std::ranges::find(ways, result) == ways.end()) ways.push_back(result);
         if (ways.size() > max_ways) throw std::length_error("a cycle has too many branches");
-    } while (next_choices(log));
+    } while (next_choices(log_));
     if (ways.size() == 1) return ways.front();
     CycleResult choice;
     choice.ways = std::move(ways);
@@ -188,26 +198,29 @@ std::uint32_t CodeSystem::run_all_choices(const Bytes& from, const std::vector<r
 }
 
 /// Calls `step` twice on copies of the state. This reveals a controller with memory outside its state.
-std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log) {
+std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers) {
     ++cycles_;
     budget_->poll();
-    Bytes once = from;
-    Bytes twice = from;
+    once_ = from;
+    twice_ = from;
     const Patience patience = endless_ ? Patience::short_ : Patience::seconds;
-    Stepped stepped = step_watched(*code_, once.data(), registers.data(), &log, patience);
-    while (!stepped.endless && log.is_cut()) {
-        if (!log.grow()) throw std::length_error(fmt::format("a cycle makes more than {} outputs", log.most_records));
-        once = from;
-        stepped = step_watched(*code_, once.data(), registers.data(), &log, patience);
+    Stepped stepped = step_watched(*code_, once_.data(), registers.data(), &log_, patience);
+    while (!stepped.endless && log_.is_cut()) {
+        if (!log_.grow()) throw std::length_error(fmt::format("a cycle makes more than {} outputs", log_.most_records));
+        again_.reserve(log_.capacity);
+        once_ = from;
+        stepped = step_watched(*code_, once_.data(), registers.data(), &log_, patience);
     }
     if (stepped.endless) return endless(from);
-    most_writes_ = std::max(most_writes_, log.count);
-    CycleLog again = log;
-    again.clear();
+    most_writes_ = std::max(most_writes_, log_.count);
+    again_.clear();
+    again_.given = log_.given;
+    std::copy_n(log_.choice, log_.given, again_.choice);
     const rc_result outcome = stepped.result;
-    if (outcome != code_->step(twice.data(), registers.data(), &again) || once != twice || !same_writes(log, again))
+    if (outcome != code_->step(twice_.data(), registers.data(), &again_) || once_ != twice_ ||
+        !same_writes(log_, again_))
         unsound_ = "`step` gives two results for one state and one set of inputs";
-    return intern_result(result_of(outcome, log, once));
+    return intern_result(result_of(outcome, log_, once_));
 }
 
 /// Treats a call that does not return as a divergence, like an exceeded step bound. The state that the call leaves is
@@ -237,10 +250,13 @@ CycleResult CodeSystem::result_of(rc_result outcome, const rc_log& log, const By
 }
 
 std::uint32_t CodeSystem::intern_result(CycleResult result) {
-    std::string key = fmt::format("{} {}", static_cast<int>(result.outcome), result.next);
-    for (const process::Event event : result.writes) key += fmt::format(" {}", event);
-    for (const std::uint32_t way : result.ways) key += fmt::format(" or {}", way);
-    const auto [place, fresh] = result_ids_.emplace(key, static_cast<std::uint32_t>(results_.size()));
+    key_.clear();
+    append_to_key(static_cast<std::uint32_t>(result.outcome));
+    append_to_key(result.next);
+    append_to_key(static_cast<std::uint32_t>(result.writes.size()));
+    for (const process::Event event : result.writes) append_to_key(event);
+    for (const std::uint32_t way : result.ways) append_to_key(way);
+    const auto [place, fresh] = result_ids_.try_emplace(key_, static_cast<std::uint32_t>(results_.size()));
     if (fresh) results_.push_back(std::move(result));
     return place->second;
 }

@@ -83,10 +83,11 @@ private:
     void explore_cycles_from(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
     const std::vector<bool>& without_effect_below(std::uint32_t node, std::size_t level) const;
     std::uint32_t build_tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read);
+    void append_to_key(std::uint32_t number);
     std::uint32_t intern_node(std::size_t level, Node);
     [[nodiscard]] std::uint32_t run_all_choices(const Bytes& from, const std::vector<rc_register>& registers);
     std::uint32_t endless(const Bytes& from);
-    std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log);
+    std::uint32_t run_once(const Bytes& from, const std::vector<rc_register>& registers);
     [[nodiscard]] CycleResult result_of(rc_result, const rc_log&, const Bytes&);
     std::uint32_t intern_result(CycleResult);
     void add_reads(lts::StateView state, lts::SuccessorSink& sink);
@@ -103,6 +104,10 @@ private:
     std::vector<std::uint32_t> begun_;  ///< images in `roots_`
     std::unordered_map<std::string, std::uint32_t> node_ids_;
     std::unordered_map<std::string, std::uint32_t> result_ids_;
+    /// Used by one cycle each; members, so that they are allocated once.
+    std::string key_;
+    CycleLog log_, again_;
+    Bytes once_, twice_;
     std::vector<Node> nodes_;
     std::deque<CycleResult> results_;  ///< a deque, so that references stay valid
     std::uint64_t cycles_ = 0;

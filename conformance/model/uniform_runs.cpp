@@ -22,7 +22,25 @@ bool silent(const ModelEdge& edge) {
     return edge.role.kind == Kind::tau || edge.role.kind == Kind::terminate;
 }
 
+/// The hash of a list with one more pair of numbers. The factor is that of Fibonacci hashing (Knuth, TAOCP 3, 6.4).
+std::size_t with_pair(std::size_t hash, std::uint32_t first, std::uint32_t second) {
+    const std::uint64_t mixed = (hash ^ (std::uint64_t{first} << 32U | second)) * 0x9E3779B97F4A7C15U;
+    return static_cast<std::size_t>(mixed ^ (mixed >> 32U));
+}
+
 }  // namespace
+
+std::size_t UniformRuns::Hash::operator()(const States& states) const {
+    std::size_t hash = states.size();
+    for (const HeldState& state : states) hash = with_pair(hash, state.model, state.held);
+    return hash;
+}
+
+std::size_t UniformRuns::Hash::operator()(const std::vector<Reading>& readings) const {
+    std::size_t hash = readings.size();
+    for (const auto& [input, reading] : readings) hash = with_pair(hash, input, reading);
+    return hash;
+}
 
 UniformRuns::UniformRuns(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length)
     : model_(&model), alphabet_(&alphabet), cycle_length_(std::max(1U, cycle_length)) {
@@ -35,17 +53,17 @@ UniformRuns::Set UniformRuns::start() {
 
 UniformRuns::Set UniformRuns::intern(States states) {
     diagnostics::sort_unique(states);
-    const auto [place, fresh] = set_ids_.emplace(std::move(states), static_cast<Set>(sets_.size()));
+    const auto [place, fresh] = set_ids_.try_emplace(std::move(states), static_cast<Set>(sets_.size()));
     if (fresh) {
-        sets_.push_back(place->first);
+        sets_.push_back(&place->first);
         closures_.emplace_back();
     }
     return place->second;
 }
 
 std::uint32_t UniformRuns::intern_held(std::vector<Reading> readings) {
-    const auto [place, fresh] = held_ids_.emplace(std::move(readings), static_cast<std::uint32_t>(held_.size()));
-    if (fresh) held_.push_back(place->first);
+    const auto [place, fresh] = held_ids_.try_emplace(std::move(readings), static_cast<std::uint32_t>(held_.size()));
+    if (fresh) held_.push_back(&place->first);
     return place->second;
 }
 
@@ -53,10 +71,12 @@ std::uint32_t UniformRuns::intern_held(std::vector<Reading> readings) {
 HeldState UniformRuns::narrowed(ModelState model, std::uint32_t held) {
     if (held == 0 || model == ended) return {model, 0};
     const std::vector<bool>& hears = model_->heard_inputs(model);
+    const std::vector<Reading>& readings = *held_[held];
+    if (std::ranges::all_of(readings, [&](const Reading& reading) { return hears[reading.first]; }))
+        return {model, held};
     std::vector<Reading> left;
-    for (const Reading& reading : held_[held])
+    for (const Reading& reading : readings)
         if (hears[reading.first]) left.push_back(reading);
-    if (left.size() == held_[held].size()) return {model, held};
     return {model, intern_held(std::move(left))};
 }
 
@@ -65,8 +85,8 @@ UniformRuns::Set UniformRuns::with(Set states, std::uint32_t input, std::uint32_
     const auto known = with_.find(key);
     if (known != with_.end()) return known->second;
     States result;
-    for (const HeldState& state : States(sets_[states])) {
-        std::vector<Reading> held = held_[state.held];
+    for (const HeldState& state : *sets_[states]) {
+        std::vector<Reading> held = *held_[state.held];
         held.insert(std::ranges::upper_bound(held, Reading{input, reading}), Reading{input, reading});
         result.push_back(narrowed(state.model, intern_held(std::move(held))));
     }
@@ -74,18 +94,21 @@ UniformRuns::Set UniformRuns::with(Set states, std::uint32_t input, std::uint32_
 }
 
 bool UniformRuns::holds(std::uint32_t held, std::uint32_t input, std::uint32_t reading) const {
-    return std::ranges::binary_search(held_[held], Reading{input, reading});
+    return std::ranges::binary_search(*held_[held], Reading{input, reading});
 }
 
 const UniformRuns::Closure& UniformRuns::closure(Set number) {
     if (closures_[number].known) return closures_[number];
     Closure made;
     made.known = true;
-    std::set<HeldState> seen(sets_[number].begin(), sets_[number].end());
-    std::vector<HeldState> open(seen.begin(), seen.end());
+    made.all = *sets_[number];  // sorted
+    States open = made.all;
     std::map<process::Event, States> writes;
     const auto add = [&](const HeldState& state) {
-        if (seen.insert(state).second) open.push_back(state);
+        const auto place = std::ranges::lower_bound(made.all, state);
+        if (place != made.all.end() && *place == state) return;
+        made.all.insert(place, state);
+        open.push_back(state);
     };
     while (!open.empty()) {
         const HeldState state = open.back();
@@ -101,14 +124,13 @@ const UniformRuns::Closure& UniformRuns::closure(Set number) {
             } else if (role.kind == Kind::output) {
                 writes[role.write].push_back(narrowed(edge.target, state.held));
             } else if (role.kind == Kind::input && holds(state.held, role.index, role.reading)) {  // A1: once
-                std::vector<Reading> left = held_[state.held];
+                std::vector<Reading> left = *held_[state.held];
                 std::erase(left, Reading{role.index, role.reading});
                 add(narrowed(edge.target, intern_held(std::move(left))));
             }
         }
     }
-    made.terminated = made.terminated || seen.contains(HeldState{ended, 0});
-    made.all.assign(seen.begin(), seen.end());
+    made.terminated = made.terminated || std::ranges::binary_search(made.all, HeldState{ended, 0});
     for (auto& [event, states] : writes) made.writes.emplace(event, intern(std::move(states)));
     closures_[number] = std::move(made);
     return closures_[number];
@@ -184,7 +206,7 @@ bool UniformRuns::finish(Set states, const std::vector<bool>& unread, rc_result 
     const bool passes = outcome == RC_QUIESCENT;
     States fitting;  // for all readings of the unread registers
     std::optional<std::uint32_t> awaited;
-    for (const HeldState& state : States(closure(states).all)) {
+    for (const HeldState& state : closure(states).all) {
         if (!stable(state) || lets_time_pass(state.model) != passes) continue;
         const auto input = awaits(state.model, unread);
         if (!input)

@@ -3,7 +3,9 @@
 // of the other registers (docs/conformance.md, "Reading on demand").
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -52,6 +54,11 @@ public:
 private:
     using Reading = std::pair<std::uint32_t, std::uint32_t>;  ///< register and reading
     using States = std::vector<HeldState>;
+    /// The parts of both kinds of lists are pairs of numbers.
+    struct Hash {
+        std::size_t operator()(const States& states) const;
+        std::size_t operator()(const std::vector<Reading>& readings) const;
+    };
     /// The steps of M that are possible from a set, without input or with the readings that M may still receive.
     struct Closure {
         bool known = false;
@@ -77,12 +84,14 @@ private:
     ModelGraph* model_;
     const Alphabet* alphabet_;
     std::uint32_t cycle_length_;
-    std::vector<States> sets_;
-    std::vector<Closure> closures_;
-    std::map<States, Set> set_ids_;
-    std::vector<std::vector<Reading>> held_;
-    std::map<std::vector<Reading>, std::uint32_t> held_ids_;
-    std::unordered_map<std::uint64_t, Set> with_;  ///< never iterated
+    std::deque<Closure> closures_;  ///< by set; a deque, so that references stay valid
+    /// Sets and lists by their numbers. The keys of the maps, which never move, are the only copies. No map is
+    /// iterated.
+    std::vector<const States*> sets_;
+    std::unordered_map<States, Set, Hash> set_ids_;
+    std::vector<const std::vector<Reading>*> held_;
+    std::unordered_map<std::vector<Reading>, std::uint32_t, Hash> held_ids_;
+    std::unordered_map<std::uint64_t, Set> with_;
 };
 
 }  // namespace robochart::conformance

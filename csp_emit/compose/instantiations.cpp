@@ -9,6 +9,7 @@
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/expressions/expressions.hpp"
 #include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/function_result.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
@@ -193,6 +194,24 @@ ExprPtr search_result(const Project& project, const ir::Function& function) {
                    b::if_(b::call("ok__", {constant}), constant, b::let_({b::value("found__", candidates)}, first)));
 }
 
+/// The value of the result's expression. A search would compute this expression for each value of the result's type,
+/// and each of its calls would search again.
+ExprPtr named_result(const Project& project, const ir::Function& function, const ir::Expr& expression) {
+    const ExprPtr none = b::call("error", {b::string("no value satisfies the postcondition of " + function.name)});
+    const ExprPtr value = b::name("value__");
+    const ExprPtr result = b::let_({b::value("value__", translate_expression(project, {}, expression))},
+                                   b::if_(b::call("member", {value, type_set(project, function.result)}), value, none));
+    const b::Exprs conditions = translate_preconditions(project, {}, expression);
+    return conditions.empty() ? result : b::if_(b::all_of(conditions), result, none);
+}
+
+/// The body of a function with postconditions.
+ExprPtr specified_result(const Project& project, const ir::Function& function) {
+    const ir::ExprPtr expression = ir::result_expression(function);
+    if (expression && ir::is_recursive(project.system, function)) return named_result(project, function, *expression);
+    return search_result(project, function);
+}
+
 /// Adds the functions. In RoboChart, functions have contracts and no bodies. The generated body returns a value that
 /// satisfies the postcondition. Without a postcondition it returns 0 or the first literal, as RoboTool's body does. The
 /// user may override it.
@@ -201,7 +220,7 @@ void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
         const bool specified = !function.postconditions.empty();
         decls.push_back(function_definition(
             function_name(function), function,
-            specified ? search_result(project, function) : default_literal(project, function.result),
+            specified ? specified_result(project, function) : default_literal(project, function.result),
             specified ? "function by its postcondition" : "function without body: default value"));
     }
 }

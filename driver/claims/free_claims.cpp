@@ -7,6 +7,8 @@
 #include <chrono>
 #include <utility>
 
+#include "base/diagnostics/utf8.hpp"
+#include "counterexample/text.hpp"
 #include "driver/claims/causes.hpp"
 
 namespace robochart::driver {
@@ -63,6 +65,19 @@ std::string reason_of(const FreeProject& free) {
                        free.conditions == 1 ? "" : "s");
 }
 
+/// The inputs and outputs of a run with free data. A class of values is shown as one of its values.
+std::string example_of(const runs::Run& run) {
+    constexpr std::size_t longest = 300;
+    std::string text = runs::short_text_of(run);
+    if (text.empty()) return "";
+    if (text.size() > longest) {
+        std::size_t end = longest;
+        while (end > 0 && diagnostics::is_continuation(text[end])) --end;
+        text = text.substr(0, end) + "...";
+    }
+    return fmt::format(", for example after {}", text);
+}
+
 }  // namespace
 
 void FreeClaims::add_to(std::vector<WaitingClaim>& claims) {
@@ -93,17 +108,19 @@ bool FreeClaims::decide_in(const Turn& turn, const ListedClaim& claim) {
 AssertionReport FreeClaims::decide_alone(const Turn& turn, const ListedClaim& claim) {
     AssertionReport one = own_.decide(turn, claim);
     const auto tried = tried_.find(claim.obligation->title);
-    if (one.answer == Answer::inconclusive && tried != tried_.end() && tried->second == Answer::fails)
-        one.reason += "; with free values of computed data it fails, which may not be a run of the model";
+    if (one.answer == Answer::inconclusive && tried != tried_.end() && tried->second.answer == Answer::fails)
+        one.reason += fmt::format("; with free values of computed data it fails{}, which may not be a run of the model",
+                                  tried->second.run);
     return one;
 }
 
 bool FreeClaims::answer(const Turn& turn, const csp_emit::Obligation& obligation, AssertionReport& report) {
-    Answer& found = tried_.emplace(obligation.title, Answer::inconclusive).first->second;
+    Tried& tried = tried_[obligation.title];
     const auto claim = free_claim(obligation);
     if (!claim) return false;
     AssertionReport known = free_->decide(turn, *claim);
-    found = known.answer;
+    tried.answer = known.answer;
+    if (known.run) tried.run = example_of(*known.run);
     if (known.answer != Answer::holds && known.answer != Answer::fails) return false;
     if (!carries_over(obligation, known.answer)) return false;
     report.answer = known.answer;

@@ -65,7 +65,12 @@ private:
     csp_emit::Time time_;
     ClaimResults results_;  ///< of the claims with free data
     std::unique_ptr<TimeClaims> free_;
-    std::map<std::string, Answer> tried_;  ///< the answers with free data, by title
+    /// An answer with free data, and the run that shows it.
+    struct Tried {
+        Answer answer = Answer::inconclusive;
+        std::string run;
+    };
+    std::map<std::string, Tried> tried_;  ///< by title
 };
 
 }  // namespace robochart::driver

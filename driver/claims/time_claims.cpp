@@ -15,6 +15,7 @@
 #include "counterexample/exercised.hpp"
 #include "counterexample/failing_run.hpp"
 #include "counterexample/interpreter.hpp"
+#include "counterexample/text.hpp"
 #include "driver/claims/causes.hpp"
 #include "driver/claims/certificates.hpp"
 #include "driver/claims/claim_answers.hpp"
@@ -289,27 +290,6 @@ void decide_recurrence(const ClaimContext& context, const csp_emit::Obligation& 
     }
 }
 
-/// The inputs and outputs of a run, by the time at which they happen: "input e with false at time 0; ...".
-std::string cycles_of(const runs::Run& run) {
-    std::string result, now;
-    std::int64_t time = 0;
-    const auto end = [&] {
-        if (!now.empty()) result += fmt::format("{}{} at time {}", result.empty() ? "" : "; ", now, time);
-        now.clear();
-    };
-    for (const runs::Step& step : run.steps) {
-        if (step.event.kind == runs::Kind::tock) {
-            end();
-            time += step.units;
-        }
-        const bool shown = step.event.kind == runs::Kind::input || step.event.kind == runs::Kind::output ||
-                           step.event.kind == runs::Kind::call || step.event.kind == runs::Kind::assignment;
-        if (shown && !step.hidden) now += (now.empty() ? "" : ", ") + step.event.text;
-    }
-    end();
-    return result;
-}
-
 /// A RoboSim component that is deadlock-free may still stop time. If it does, adds the inputs after which time stops to
 /// the report.
 void note_time_stop(const ClaimContext& context, const csp_emit::Obligation& claim, AssertionReport& report) {
@@ -323,7 +303,7 @@ void note_time_stop(const ClaimContext& context, const csp_emit::Obligation& cla
     decide_recurrence(context, obligation, found);
     if (found.answer == Answer::inconclusive) report.reason = "whether it can stop time is not known: " + found.reason;
     if (found.answer != Answer::fails) return;
-    const std::string cycles = found.run ? cycles_of(*found.run) : "";
+    const std::string cycles = found.run ? runs::short_text_of(*found.run) : "";
     report.reason = "it can stop time, which is no deadlock in this sense: " +
                     (cycles.empty() ? "no cycle ever ends" : "after " + cycles + ", no cycle ends any more");
 }
@@ -573,6 +553,12 @@ bool TimeClaims::open_session() {
     return true;
 }
 
+std::string TimeClaims::stopped_evaluation() const {
+    if (!session_) return "";
+    const std::optional<cspm::EvaluationError> stopped = session_->take_stopped_evaluation();
+    return stopped ? "; " + runs::placed_failure(*stopped, project_.system, project_.sources) : "";
+}
+
 AssertionReport TimeClaims::decide(const Turn& turn, const ListedClaim& claim) {
     SearchContext search{search_.settings, search_.services, turn};
     search.turn.on_progress = [&](const refine::Progress& progress) { note_progress(progress, claim.number); };
@@ -587,7 +573,8 @@ AssertionReport TimeClaims::decide(const Turn& turn, const ListedClaim& claim) {
         one = undecided(claim);
         one.reason = limit.what();
     }
-    if (one.answer == Answer::inconclusive) one.reason = ended_turn(one.reason, search);
+    const std::string stopped = stopped_evaluation();
+    if (one.answer == Answer::inconclusive) one.reason = ended_turn(one.reason, search) + stopped;
     return one;
 }
 

@@ -85,6 +85,8 @@ public:
 private:
     [[nodiscard]] bool is_in_carriers() const { return values_ == Values::of_carriers; }
     bool open_session();
+    /// If a limit has just ended a long evaluation: "; ", and its place in the model. Otherwise "".
+    [[nodiscard]] std::string stopped_evaluation() const;
     /// Returns the assertions on which a positive answer is based; none for claims that are decided without assertions.
     std::vector<cspm::DeclPtr> decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,
                                             AssertionReport& one);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "semantics/ir/function_result.hpp"
 #include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
@@ -18,10 +19,6 @@ constexpr std::size_t most_operands = 4'096;
 bool has_number_or_truth(const System& system, TypeId type) {
     const TypeKind kind = system.type(type).kind;
     return kind == TypeKind::real || kind == TypeKind::integer || kind == TypeKind::boolean;
-}
-
-bool is_result(const Expr& expr) {
-    return expr.kind == ExprKind::bound && expr.text == "result";
 }
 
 bool is_name(ExprKind kind) {
@@ -89,20 +86,10 @@ private:
         return result;
     }
 
-    /// Returns E for the contract `result == E`, or null if the function has another contract.
+    /// The result's expression; null if the function has another contract.
     [[nodiscard]] ExprPtr body_of(const Function& function) const {
-        if (!function.preconditions.empty() || function.postconditions.size() != 1) return nullptr;
-        if (std::ranges::find(function.parameter_names, "result") != function.parameter_names.end()) return nullptr;
-        const ExprPtr& condition = function.postconditions[0];
-        const bool equates = condition && (condition->kind == ExprKind::equal || condition->kind == ExprKind::iff);
-        if (!equates || condition->args.size() != 2) return nullptr;
-        for (const std::size_t side : {0U, 1U}) {
-            const ExprPtr& body = condition->args[1 - side];
-            const bool fits = is_result(*condition->args[side]) && condition->args[side]->type == function.result &&
-                              body->type == function.result && has_number_or_truth(system_, function.result);
-            if (fits) return body;
-        }
-        return nullptr;
+        if (!function.preconditions.empty() || !has_number_or_truth(system_, function.result)) return nullptr;
+        return result_expression(function);
     }
 
     /// Returns the body with these arguments, or null if it contains an expression that cannot be replaced.

@@ -348,6 +348,8 @@ bool Explorer::divide_sequences(TypeId type, const std::set<PlaceId>& flows, std
         if (!add_sequence_cut(conditions, cut)) return false;
         result.cuts.push_back(cut);
     }
+    for (const PlaceId flow : flows)
+        for (const Condition& condition : uses_.at(flow).conditions) add_comparisons(condition, type, values, result);
     const TypeId element = system_.type(type).args.at(0);
     const bool real = system_.type(element).kind == TypeKind::real;
     const std::int64_t unit = real ? sampling_.instantiation().scale : 1;
@@ -387,13 +389,13 @@ std::optional<ValueClasses> Explorer::classes_for(PlaceId flow, const std::vecto
     return result;
 }
 
-/// Adds the comparisons in a condition that have an answer for each value.
+/// Adds the comparisons in a condition that have an answer for each value. The answers for sequences are not needed.
 void Explorer::add_comparisons(const Condition& condition, TypeId type, const std::vector<Value>& values,
                                ValueModel& result) const {
     visit_operands(*condition.expr, [&](const Expr& expr) {
         if (!is_comparison(expr.kind) || expr.args.size() != 2) return;
         ModelComparison comparison{type, &expr, {}, {}};
-        for (const Value& value : values) {
+        for (const Value& value : is_number_sequence(system_, type) ? std::vector<Value>() : values) {
             const auto answer = sampling_.truth(condition.machine, expr, value);
             if (!answer || *answer < 0) return;
             comparison.answers.push_back(*answer == 1);

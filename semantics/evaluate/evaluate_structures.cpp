@@ -9,6 +9,7 @@
 #include "semantics/evaluate/evaluate_composed.hpp"
 #include "semantics/evaluate/evaluator.hpp"
 #include "semantics/evaluate/toolkit.hpp"
+#include "semantics/ir/function_result.hpp"
 
 namespace robochart::ir {
 
@@ -64,11 +65,13 @@ Value Evaluator::function_call(const Expr& expr) {
 
 /// Returns the value of a function call. Without postconditions, it is the default value of the result type: 0, true or
 /// the first literal (semantics 3.13). With postconditions, it is the first value that satisfies them, and the default
-/// value is tried first.
+/// value is tried first. If a postcondition names the value, no search is necessary.
 Value Evaluator::function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
     const Value constant = default_value(system_, instantiation_, function.result);
     if (function.postconditions.empty()) return constant;
     if (++depth_ > deepest_call) throw_fault(expr, "the function " + function.name + " calls itself without end");
+    if (++calls_ > most_calls) throw_fault(expr, "the function " + function.name + " calls itself too often");
+    instantiation_.poll();
     std::vector<std::pair<std::string, Value>> inside;
     for (std::size_t i = 0; i < std::min(arguments.size(), function.parameter_names.size()); ++i)
         inside.emplace_back(function.parameter_names[i], arguments[i]);
@@ -82,13 +85,18 @@ Value Evaluator::function_result(const Function& function, const std::vector<Val
         return holds;
     };
     std::optional<Value> found;
-    if (satisfies(constant)) found = constant;
-    if (!found)
+    if (const ExprPtr result = result_expression(function)) {
+        if (is_defined(*result)) found = evaluate_value(*result);
+        if (found && *found != constant && !in_carrier(system_, instantiation_, function.result, *found)) found.reset();
+    } else if (satisfies(constant)) {
+        found = constant;
+    } else {
         for (const Value& candidate : carrier_values(system_, instantiation_, function.result))
             if (satisfies(candidate)) {
                 found = candidate;
                 break;
             }
+    }
     std::swap(inside, bindings_);
     --depth_;
     if (!found) throw_fault(expr, "no value satisfies the postcondition of " + function.name);

@@ -18,6 +18,8 @@ namespace robochart::ir {
 
 /// Functions may call themselves in their pre- and postconditions, so the nesting of calls is limited.
 inline constexpr int deepest_call = 64;
+/// The calls of one evaluation are limited, too: a function that calls itself twice makes 2^64 calls in 64 levels.
+inline constexpr int most_calls = 100'000;
 
 class Evaluator {
 public:
@@ -102,6 +104,7 @@ private:
     const Environment& environment_;
     std::vector<std::pair<std::string, Value>> bindings_;
     int depth_ = 0;  ///< current depth of function calls
+    int calls_ = 0;  ///< of functions that a postcondition defines
 };
 
 }  // namespace robochart::ir

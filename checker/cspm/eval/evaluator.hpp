@@ -51,6 +51,8 @@ public:
         store_.set_budget(budget);
         work_.set_budget(budget);
     }
+    /// See Work::take_stopped.
+    [[nodiscard]] std::optional<EvaluationError> take_stopped() { return work_.take_stopped(); }
     /// Sets the observer of calls of some functions. It must be called before anything is evaluated.
     void set_observer(CallObserver observer) { observer_ = std::move(observer); }
     /// Returns the place of the definition that a call (process::Op::call) calls. The place is unknown for built-in

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostics/pollable.hpp"
@@ -37,6 +39,8 @@ public:
     /// Sets the place for errors that have no place of their own: the prefix whose events are being computed.
     void at_prefix(Span span) { prefix_place_ = span; }
     [[noreturn]] void fail(const std::string& message, Span span) const;
+    /// If a limit of the budget has ended a long evaluation since the last call: its innermost call with a known place.
+    [[nodiscard]] std::optional<EvaluationError> take_stopped() { return std::exchange(stopped_, std::nullopt); }
     [[noreturn]] void not_supported(const std::string& what, Span span) const;
 
     /// Returns true if no steps are left.
@@ -57,6 +61,11 @@ private:
         Span called;  ///< place of the call, if known; in generated scripts, a place in the model
     };
     static constexpr std::uint64_t no_end = ~std::uint64_t{0};
+    /// An evaluation with so many steps is the reason why a limit was reached.
+    static constexpr std::uint64_t many_steps = 50'000;
+
+    [[nodiscard]] EvaluationError error_at(const std::string& message, Span span) const;
+    void poll_budget(Span span);
 
     ValueText text_;
     ValueStore& store_;
@@ -69,6 +78,7 @@ private:
     std::uint64_t question_ = 0;
     diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     Span prefix_place_;
+    std::optional<EvaluationError> stopped_;
     unsigned open_ = 0;  // number of unanswered queries
 };
 
