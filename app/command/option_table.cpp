@@ -449,6 +449,12 @@ const std::vector<OptionRow>& option_table() {
         {"--fix", Group::files, verb_bit(Verb::validate), {},
          "apply the certain fixes to the files, then report the remaining findings",
          [](Options& o, const std::string&) { o.fix = true; }},
+        {"--log-format", Group::simulation, verb_bit(Verb::simulate),
+         {.kind = Kind::choice, .name = "FORMAT", .usual = "text", .choices = "text,mcap"},
+         "format of the logs of --log: text, or MCAP, the format of rosbag2's recordings",
+         [](Options& o, const std::string& word) {
+             o.simulate.log_format = static_cast<simulation::LogFormat>(index_of(word, "text,mcap"));
+         }},
         {"--check", Group::files, verb_bit(Verb::format), {},
          "only list the files that would change; exit 1 if there are any",
          [](Options& o, const std::string&) { o.formatting.check = true; }},

@@ -17,6 +17,7 @@
 #include "driver/settings/usage_error.hpp"
 #include "prism/sampling/method.hpp"
 #include "semantics/ir/instantiation.hpp"
+#include "simulation/trial/log_format.hpp"
 #include "simulation/tuning/race.hpp"
 
 namespace robochart::app {
@@ -185,6 +186,7 @@ struct SimulateOptions {
     std::string guarding_rules;         ///< --monitor: rules that replace the model; "": none
     std::string log;                    ///< folder for a log of every robot; "": none
 };
+    simulation::LogFormat log_format = simulation::LogFormat::text;
 
 /// Options of `tune`.
 struct TuneOptions {
