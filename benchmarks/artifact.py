@@ -56,6 +56,7 @@ def tables(quick: bool) -> list[Table]:
         Table("Diagrams", needs=f"{shared}, and elkjs from the npm registry: benchmarks/run.py diagrams"),
         Table("Simulation", [[str(BUILD / "simulation/adapters/enki/benchmark_simulation"),
                               "corpus/aggregation/aggregation.scenario"]]),
+        Table("Latency of ROS 2 nodes", [script("ros2_latency.py", str(PROGRAM))]),
         Table("The code base and its build", [["python3", "benchmarks/code_figures.py"]]),
     ]
 

@@ -166,6 +166,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         {"robochart/layout.hpp", layout_helpers()},
         {"robochart/trace.hpp", trace_helpers()},
         {"robochart/trace_file.hpp", trace_files()},
+        {"robochart/mcap_writer.hpp", mcap_writer()},
     };
     emission.files.insert(emission.files.end(), std::begin(rest), std::end(rest));
     if (explored) add_exploration(generation, core, emission);

@@ -373,6 +373,12 @@ const std::vector<OptionRow>& option_table() {
         {"--model-names", Group::code, verb_bit(Verb::emit_cpp), {},
          "with --target ros2: nodes, topics and launch files have the names of the model, not snake_case",
          [](Options& o, const std::string&) { o.code.model_names = true; }},
+        {"--dispatch", Group::code, verb_bit(Verb::emit_cpp),
+         {.kind = Kind::choice, .name = "WHEN", .usual = "timer", .choices = "timer,immediate"},
+         "with --target ros2: when a cycle begins: by the timer, or also when an input arrives, for models without time",
+         [](Options& o, const std::string& word) {
+             o.code.dispatch = static_cast<cpp_emit::Dispatch>(index_of(word, "timer,immediate"));
+         }},
         {"--strategy", Group::code, verb_bit(Verb::emit_cpp),
          {.kind = Kind::choice, .name = "STRATEGY", .usual = "auto", .choices = "auto,switch,table"},
          "how generated code finds the reaction to an event: a switch over states and events, or a table; auto uses a "
@@ -443,6 +449,12 @@ const std::vector<OptionRow>& option_table() {
         {"--log", Group::simulation, verb_bit(Verb::simulate), {.kind = Kind::folder, .name = "DIR"},
          "write what every robot read and did in every cycle, for `conform --traces`",
          [](Options& o, const std::string& word) { o.simulate.log = word; }},
+        {"--log-format", Group::simulation, verb_bit(Verb::simulate),
+         {.kind = Kind::choice, .name = "FORMAT", .usual = "text", .choices = "text,mcap"},
+         "format of the logs of --log: text, or MCAP, the format of rosbag2's recordings",
+         [](Options& o, const std::string& word) {
+             o.simulate.log_format = static_cast<simulation::LogFormat>(index_of(word, "text,mcap"));
+         }},
         {"--no-pictures", Group::simulation, verb_bit(Verb::simulate), {}, "do not write tables and pictures",
          [](Options& o, const std::string&) { o.simulate.pictures = false; }},
 

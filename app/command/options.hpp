@@ -17,6 +17,7 @@
 #include "driver/settings/usage_error.hpp"
 #include "prism/sampling/method.hpp"
 #include "semantics/ir/instantiation.hpp"
+#include "simulation/trial/log_format.hpp"
 #include "simulation/tuning/race.hpp"
 
 namespace robochart::app {
@@ -161,6 +162,7 @@ struct CodeOptions {
     bool package_given = false;                                   ///< an option sets a member of `package`
     bool mapping_draft = false;                                   ///< --target ros2: only a mapping to start from
     bool model_names = false;                                     ///< --target ros2: no snake_case
+    cpp_emit::Dispatch dispatch = cpp_emit::Dispatch::timer;      ///< --target ros2: when a cycle begins
     cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic;  ///< how the code finds the effect of an event
     std::map<std::string, std::size_t> capacities;                ///< capacities of lists, by event or variable
     bool choices = false;                                         ///< emit cpp --choices, conform --all-choices
@@ -184,6 +186,7 @@ struct SimulateOptions {
     bool monitor = false;               ///< runs a monitor with every controller
     std::string guarding_rules;         ///< --monitor: rules that replace the model; "": none
     std::string log;                    ///< folder for a log of every robot; "": none
+    simulation::LogFormat log_format = simulation::LogFormat::text;
 };
 
 /// Options of `tune`.

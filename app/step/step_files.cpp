@@ -9,8 +9,8 @@
 #include <cctype>
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -18,8 +18,10 @@
 
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "conformance/traces/mcap.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/runtime/mcap_writer.hpp"
 #include "semantics/evaluate/carrier.hpp"
 
 namespace robochart::app {
@@ -242,11 +244,19 @@ bool has_constant(const Stepped& stepped, const std::string& constant) {
     return found != constants.end() && constant == found->first + "=" + found->second;
 }
 
+std::unique_ptr<std::istream> open_log(const std::string& path, diagnostics::Pollable& limits) {
+    try {
+        if (auto in = conformance::open_log(path, limits)) return in;
+    } catch (const conformance::McapFault& fault) {
+        throw Unsayable{fmt::format("{}: {}", path, fault.what())};
+    }
+    throw Unsayable{fmt::format("{}: cannot be read", path)};
+}
+
 /// The cycles of the first run. Throws Unsayable if the log cannot be read.
-std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
-    std::ifstream in(path);
-    if (!in) throw Unsayable{fmt::format("{}: cannot be read", path)};
-    conformance::LineReader reader(in);
+std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped, diagnostics::Pollable& limits) {
+    const std::unique_ptr<std::istream> in = open_log(path, limits);
+    conformance::LineReader reader(*in);
     conformance::TraceHeader header;
     std::vector<Wanted> cycles;
     std::vector<conformance::TraceToken> tokens;
@@ -405,25 +415,34 @@ std::string with_comment(std::string log, const RunRecord& record) {
     return log.insert(log.find('\n') + 1, fmt::format("// run: {}\n", run_line(record)));
 }
 
+/// An MCAP file with the log. A log that is stepped by hand has no times.
+std::string mcap_of(const std::string& log) {
+    McapWriter writer("/trace");
+    std::string bytes = writer.begin();
+    bytes += writer.chunk(log, 0);
+    return bytes + writer.end();
+}
+
 }  // namespace
 
 std::string save_way(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path, Run& run) {
     const std::string extension = std::filesystem::path(path).extension().string();
+    const bool is_log = extension == ".trace" || extension == ".mcap";
     if (stepped.project == nullptr) return "only the ways of components are saved";
     try {
         std::string text;
-        if (extension == ".trace")
+        if (is_log)
             text = with_comment(log_text(stepper, stepped), run.recorder().record());
         else if (extension == ".assertions")
             text = assertion_text(stepper, stepped, path);
         else
-            return fmt::format("{}: what is saved is a log, FILE.trace, or an assertion, FILE.assertions", path);
+            return fmt::format("{}: what is saved is a log, FILE.trace or FILE.mcap, or an assertion, FILE.assertions",
+                               path);
         std::error_code code;
         if (std::filesystem::exists(std::filesystem::symlink_status(path, code)))
             return fmt::format("{} is there already, and stays as it is", path);
-        if (extension == ".trace" && stepped.time != csp_emit::Time::timed)
-            return "logs have time; the untimed semantics has none";
-        return diagnostics::replace_file(path, text, &run.budget());
+        if (is_log && stepped.time != csp_emit::Time::timed) return "logs have time; the untimed semantics has none";
+        return diagnostics::replace_file(path, extension == ".mcap" ? mcap_of(text) : text, &run.budget());
     } catch (const Unsayable& what) {
         return what.why;
     }
@@ -433,7 +452,7 @@ Followed follow_log(runs::Stepper& stepper, const Stepped& stepped, const std::s
     if (stepped.project == nullptr || stepped.time != csp_emit::Time::timed) return {"logs are of components, in time"};
     run.recorder().add_input_file(path);
     try {
-        const std::vector<Wanted> cycles = read_log(path, stepped);
+        const std::vector<Wanted> cycles = read_log(path, stepped, run.budget());
         stepper.back_to(0);
         for (std::size_t i = 0; i < cycles.size(); ++i)
             if (!follow_cycle(stepper, cycles[i], stepped, run))

@@ -317,6 +317,7 @@ simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t 
                                       LogFailure& failure) {
     simulation::TraceLogOptions log_options;
     log_options.folder = options.simulate.log;
+    log_options.format = options.simulate.log_format;
     log_options.component = simulation.scenario.kind_at(kind).component.text;
     log_options.model = model_of(simulation.scenario, options.load.inputs.front(), kind);
     log_options.constants = constants_of(simulation.project_of(kind));

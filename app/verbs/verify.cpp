@@ -375,6 +375,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
     generator.capacities = options.code.capacities;
     generator.package = options.code.package;
     generator.model_names = options.code.model_names;
+    generator.dispatch = options.code.dispatch;
     generator.mapping_draft = options.code.mapping_draft;
     std::optional<cpp_emit::ros2::Mapping> mapping;
     if (!options.code.mapping.empty()) {
@@ -792,6 +793,8 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
         throw UsageError("--mapping-draft needs --target ros2 and no --mapping");
     if ((options.code.package_given || options.code.model_names) && options.code.target != cpp_emit::Target::ros2)
         throw UsageError("--license, --maintainer, --package-version and --model-names need --target ros2");
+    if (options.code.dispatch != cpp_emit::Dispatch::timer && options.code.target != cpp_emit::Target::ros2)
+        throw UsageError("--dispatch immediate needs --target ros2");
     if (!options.conform.traces.empty() && is_requested(options, Format::junit))
         throw UsageError("--format junit does not support --traces; use text or json");
     if (!options.conform.traces.empty()) return compare_traces(parts, options, report);

@@ -5,12 +5,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "conformance/model/component.hpp"
 #include "conformance/model/component_in_cycles.hpp"
 #include "conformance/model/renamed_model.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::conformance {
+
+namespace {
+
+/// Whether the carriers are so large that the states of the model are evaluated only when they are visited. Compilation
+/// evaluates all states of a component, and their number is a power of the number of values.
+bool has_many_numbers(const ir::Instantiation& instantiation) {
+    constexpr std::size_t most_compiled = 64;
+    return std::max({instantiation.nat.size(), instantiation.integer.size(), instantiation.real.size()}) >
+           most_compiled;
+}
+
+}  // namespace
 
 std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const ir::Instantiation& instantiation,
                                                const ir::ComponentRef& ref, std::uint32_t cycle_length,
@@ -46,7 +60,8 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->boundary_.interface.drops = dropped_inputs(loaded->outside_, order);
     loaded->session_ = std::make_unique<cspm::Session>(loaded->script_.definitions);
     loaded->process_ = process;
-    loaded->model_ = loaded->session_->system(process, limits);
+    loaded->model_ =
+        has_many_numbers(instantiation) ? loaded->session_->system(process) : loaded->session_->system(process, limits);
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
     loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);
     loaded->normal_form_ = component_in_cycles(*loaded->graph_, *loaded->alphabet_, cycle_length);

@@ -126,7 +126,21 @@ bool ModelGraph::goes_on(ModelState start) {
     return goes_on_.emplace(start, result).first->second;
 }
 
+namespace {
+
+/// Whether the search for heard inputs would visit too many states: it follows all readings of all registers. A model
+/// with so many readings is evaluated on demand (cyclic_model.cpp), for a log that visits few states.
+bool has_many_readings(const lts::TransitionSystem& model, const Interface& interface) {
+    constexpr std::uint32_t most_readings = 64;
+    return model.states_are_terms() && std::ranges::any_of(interface.inputs, [](const Register& input) {
+               return input.reading_count() > most_readings;
+           });
+}
+
+}  // namespace
+
 const std::vector<bool>& ModelGraph::heard_inputs(ModelState state) {
+    if (has_many_readings(*model_, alphabet_->interface())) return heard_[hears_all];
     if (state >= component_of_.size() || component_of_[state] == unknown) find_components(state);
     return heard_[component_of_[state]];
 }

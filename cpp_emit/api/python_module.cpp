@@ -27,13 +27,54 @@ constexpr std::array python_keywords{
     "del",    "elif",     "else", "except", "for",  "finally", "from",   "global", "if",    "import", "in",       "is",
     "lambda", "nonlocal", "not",  "or",     "pass", "raise",   "return", "try",    "while", "with",   "yield"};
 
-std::string python_name(const std::string& name) {
-    return std::ranges::find(python_keywords, name) == python_keywords.end() ? name : name + "_";
+bool is_keyword(const std::string& name) {
+    return std::ranges::find(python_keywords, name) != python_keywords.end();
 }
 
-/// Returns the name as a C++ string.
-std::string quoted(const std::string& name) {
-    return cpp_string(python_name(name));
+/// The name in Python, which is not among the names in `taken`: underscores are added to a keyword.
+std::string python_name(std::string name, const std::set<std::string>& taken) {
+    if (!is_keyword(name)) return name;
+    do name += '_';
+    while (taken.contains(name));
+    return name;
+}
+
+std::string class_in_module(const ClassApi& api) {
+    return python_name(api.cpp_name, {"StepResult"});
+}
+
+/// The names of a controller's members in Python.
+class MemberNames {
+public:
+    explicit MemberNames(const ClassApi& api) {
+        each_class(api, [&](const ApiClass& part) {
+            for (const ApiVariable& variable : part.variables) members_.insert(variable.member);
+            for (const ApiEvent& event : part.events) members_.insert({event.flag, event.value, event.method});
+            for (const ApiOperation& operation : part.operations) members_.insert(operation.method);
+        });
+        for (const ApiTimer& timer : api.timers) members_.insert(timer.member);
+        for (const ApiMachine& machine : api.machines) members_.insert({machine.method, machine.enumeration});
+        for (const ApiFunction& function : api.functions) members_.insert(function.method);
+    }
+
+    [[nodiscard]] std::string name(const std::string& member) const { return python_name(member, members_); }
+    /// The name as a C++ string.
+    [[nodiscard]] std::string quoted(const std::string& member) const { return cpp_string(name(member)); }
+
+private:
+    std::set<std::string> members_;
+};
+
+/// The names of the literals of an enumeration in Python. `name` and `value` are attributes of every literal.
+std::vector<std::string> literal_names(const std::vector<std::string>& labels) {
+    const std::set<std::string> taken(labels.begin(), labels.end());
+    std::vector<std::string> names;
+    for (const std::string& label : labels) {
+        std::string name = label == "name" || label == "value" ? label + "_" : python_name(label, taken);
+        while (name != label && taken.contains(name)) name += '_';
+        names.push_back(name);
+    }
+    return names;
 }
 
 class ModuleWriter {
@@ -42,8 +83,9 @@ public:
         : generation_(generation),
           core_(core),
           api_(api),
-          base_(fmt::format("::{}::{}", api.name_space, api.cpp_name)) {
-        taken_ = {api.cpp_name, "StepResult"};
+          base_(fmt::format("::{}::{}", api.name_space, api.cpp_name)),
+          members_(api) {
+        taken_ = {class_in_module(api), "StepResult"};
     }
 
     std::string write() {
@@ -81,7 +123,7 @@ private:
     const std::string& name_in_module(ir::TypeId id) {
         std::string& name = names_[id.index];
         if (name.empty()) {
-            name = python_name(declared_name(type(id)));
+            name = python_name(declared_name(type(id)), taken_);
             while (!taken_.insert(name).second) name += '_';
         }
         return name;
@@ -257,7 +299,8 @@ private:
         if (!result.empty()) {
             out_.line(fmt::format("if (python_method) python_result = {}::from({});", result, call));
         } else if (needed) {
-            out_.line(fmt::format("if (!python_method) ::robochart::python::refuse_call({});", quoted(method)));
+            out_.line(
+                fmt::format("if (!python_method) ::robochart::python::refuse_call({});", members_.quoted(method)));
             out_.line(call + ";");
         } else {
             out_.line(fmt::format("if (python_method) {};", call));
@@ -270,7 +313,7 @@ private:
     void write_search(const std::string& method) {
         out_.line(fmt::format(
             "const ::pybind11::function python_method = ::pybind11::get_override(static_cast<const {}*>(this), {});",
-            base_, quoted(method)));
+            base_, members_.quoted(method)));
     }
 
     void write_choose() {
@@ -307,7 +350,7 @@ private:
         write_results();
         out_.line(fmt::format("using Base = {};", base_));
         out_.line(fmt::format("py::class_<Base, PythonController> controller(module, {}, py::module_local());",
-                              cpp_string(api_.cpp_name)));
+                              cpp_string(class_in_module(api_))));
         for (const ApiMachine& machine : api_.machines) write_states(machine);
         out_.line("controller.def(py::init_alias<>());");
         write_cycle_methods();
@@ -316,7 +359,7 @@ private:
             out_.line(
                 fmt::format("controller.def_property_readonly({}, [](const Base& robot) {{ return "
                             "robot.{}.counter; }});",
-                            quoted(timer.member), timer.member));
+                            members_.quoted(timer.member), timer.member));
         write_log();
         out_.close();
     }
@@ -325,8 +368,9 @@ private:
         for (const ir::TypeId id : generation_.component.enumerations) {
             const ir::Type& of = type(id);
             if (of.kind == ir::TypeKind::record) {
+                const std::set<std::string> labels(of.labels.begin(), of.labels.end());
                 std::vector<std::string> names;
-                for (const std::string& label : of.labels) names.push_back(quoted(label));
+                for (const std::string& label : of.labels) names.push_back(cpp_string(python_name(label, labels)));
                 out_.line(
                     fmt::format("module.attr({0}) = py::module_::import(\"collections\").attr(\"namedtuple\")({0}, "
                                 "std::vector<std::string>{{{1}}}, py::arg(\"rename\") = true);",
@@ -343,8 +387,11 @@ private:
     void write_enumeration(const char* scope, const std::string& cpp, const std::string& name,
                            const std::vector<std::pair<std::string, std::string>>& values) {
         out_.line(fmt::format("py::enum_<{}>({}, {}, py::module_local())", cpp, scope, cpp_string(name)));
-        for (const auto& [shown, literal] : values)
-            out_.line(fmt::format("    .value({}, {}::{})", quoted(shown), cpp, literal));
+        std::vector<std::string> labels;
+        for (const auto& [label, literal] : values) labels.push_back(label);
+        const std::vector<std::string> shown = literal_names(labels);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            out_.line(fmt::format("    .value({}, {}::{})", cpp_string(shown[i]), cpp, values[i].second));
         out_.line("    ;");
     }
 
@@ -359,9 +406,9 @@ private:
         std::vector<std::pair<std::string, std::string>> values{{"none", "none"}};
         for (const std::string& state : machine.states)
             if (!state.empty()) values.emplace_back(state, state);
-        write_enumeration("controller", "Base::" + machine.enumeration, python_name(machine.enumeration), values);
+        write_enumeration("controller", "Base::" + machine.enumeration, members_.name(machine.enumeration), values);
         out_.line(fmt::format("controller.def({}, [](const Base& robot) {{ return robot.{}(); }});",
-                              quoted(machine.method), machine.method));
+                              members_.quoted(machine.method), machine.method));
     }
 
     void write_cycle_methods() {
@@ -393,32 +440,32 @@ private:
             out_.line(
                 fmt::format("controller.def_property({}, [](const Base& robot) {{ return {}::to(robot.{}); }}, "
                             "[](Base& robot, py::object value) {{ robot.{} = {}::from(value); }});",
-                            quoted(variable.member), values, variable.member, variable.member, values));
+                            members_.quoted(variable.member), values, variable.member, variable.member, values));
         }
         for (const ApiEvent& event : part.events) {
             out_.line(fmt::format("controller.def_property_readonly({}, [](const Base& robot) {{ return robot.{}; }});",
-                                  quoted(event.flag), event.flag));
+                                  members_.quoted(event.flag), event.flag));
             if (event.port->type) write_value(event, converter(*event.port->type));
             if (event.sent) continue;
             out_.line(event.port->type
                           ? fmt::format("controller.def({}, [](Base& robot, py::object value) {{ robot.{}({}::from("
                                         "value)); }});",
-                                        quoted(event.method), event.method, converter(*event.port->type))
-                          : fmt::format("controller.def({}, [](Base& robot) {{ robot.{}(); }});", quoted(event.method),
-                                        event.method));
+                                        members_.quoted(event.method), event.method, converter(*event.port->type))
+                          : fmt::format("controller.def({}, [](Base& robot) {{ robot.{}(); }});",
+                                        members_.quoted(event.method), event.method));
         }
     }
 
     void write_value(const ApiEvent& event, const std::string& values) {
         out_.line(
             fmt::format("controller.def_property_readonly({}, [](const Base& robot) {{ return {}::to(robot.{}); }});",
-                        quoted(event.value), values, event.value));
+                        members_.quoted(event.value), values, event.value));
     }
 
     void write_log() {
         out_.line("#if ROBOCHART_TRACE");
         out_.open(fmt::format("controller.def({}, [python](Base& robot, const std::string& path) {{",
-                              quoted(free_member(api_, "log_to"))));
+                              members_.quoted(free_member(api_, "log_to"))));
         out_.line("python(robot).python_calls.require_start();");
         out_.line("auto log = std::make_unique<robochart::TraceFile>(Base::RunHeader());");
         out_.line("if (!log->open(path)) ::robochart::python::refuse_file(path);");
@@ -432,6 +479,7 @@ private:
     const Core& core_;
     const ClassApi& api_;
     std::string base_;  ///< the controller's class
+    MemberNames members_;
     std::map<std::uint32_t, std::string> names_;
     std::set<std::string> taken_;  ///< names of the module
     CodeWriter out_;
@@ -439,7 +487,8 @@ private:
 
 class PythonRobotWriter {
 public:
-    PythonRobotWriter(const Generation& generation, const ClassApi& api) : generation_(generation), api_(api) {}
+    PythonRobotWriter(const Generation& generation, const ClassApi& api)
+        : generation_(generation), api_(api), members_(api) {}
 
     std::string write() {
         comment(fmt::format("A robot with the controller of the RoboChart {} ", generation_.component.kind) +
@@ -448,13 +497,13 @@ public:
         comment("This file is yours: robochart-verify does not overwrite it.");
         line("import sys\n");
         line(fmt::format("import {} as controller\n\n", python_module_name(api_)));
-        line(fmt::format("class Robot(controller.{}):", api_.cpp_name));
+        line(fmt::format("class Robot(controller.{}):", class_in_module(api_)));
         line("    def CheckInEvent(self):");
         line("        \"\"\"Is called before each cycle: raise the events that the sensors report.\"\"\"");
         each_class(api_, [&](const ApiClass& part) {
             for (const ApiEvent& event : part.events)
                 if (!event.sent)
-                    line(fmt::format("        # self.{}({})", python_name(event.method),
+                    line(fmt::format("        # self.{}({})", members_.name(event.method),
                                      event.port->type ? "value" : ""));
         });
         each_class(api_, [&](const ApiClass& part) { write_calls(part); });
@@ -464,7 +513,7 @@ public:
         line("        result = robot.step()");
         std::vector<std::string> states;
         for (const ApiMachine& machine : api_.machines)
-            states.push_back(fmt::format("robot.{}().name", python_name(machine.method)));
+            states.push_back(fmt::format("robot.{}().name", members_.name(machine.method)));
         line(fmt::format("        print(f\"cycle {{number}}:\", {})", fmt::join(states, ", ")));
         line("        if result != controller.StepResult.quiescent:");
         line("            print(result.name)");
@@ -492,12 +541,13 @@ private:
             values += fmt::format(", a{}", i);
         }
         line("");
-        line(fmt::format("    def {}(self{}):", python_name(method), list));
-        line(fmt::format("        print(\"  {}\"{})", python_name(method), values));
+        line(fmt::format("    def {}(self{}):", members_.name(method), list));
+        line(fmt::format("        print(\"  {}\"{})", members_.name(method), values));
     }
 
     const Generation& generation_;
     const ClassApi& api_;
+    MemberNames members_;
     std::string text_;
 };
 

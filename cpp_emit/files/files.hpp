@@ -68,6 +68,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string rules_header();
 [[nodiscard]] std::string trace_helpers();
 [[nodiscard]] std::string trace_files();
+[[nodiscard]] std::string mcap_writer();
 [[nodiscard]] std::string adaptive_header();
 [[nodiscard]] std::string console_choices();
 [[nodiscard]] std::string console_values();

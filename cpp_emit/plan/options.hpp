@@ -69,6 +69,12 @@ struct EventOrder {
     std::vector<Drop> drops = {};
 };
 
+/// When a node of ROS 2 begins a cycle.
+enum class Dispatch {
+    timer,      ///< when the time of a cycle has passed
+    immediate,  ///< also when an input arrives; only for components that count no time
+};
+
 /// The options of a generation.
 struct Options {
     Target target = Target::sources;
@@ -96,6 +102,7 @@ struct Options {
     durations::Unit unit = {};   ///< Target::ros2: the length of a time unit, if it is declared
     EventOrder order = {};
     bool model_names = false;  ///< Target::ros2: nodes, topics and files have the names of the model, not snake_case
+    Dispatch dispatch = Dispatch::timer;  ///< Target::ros2
     /// Provides file and line for comments. If null, comments contain only the names of the model's elements.
     const diagnostics::SourceManager* sources = nullptr;
 };

@@ -107,6 +107,10 @@ private:
                         "arrive before a cycle, what queues lose, how exactly the timer fires, and what a field of a "
                         "message means.",
                         api_.cpp_name));
+        if (is_immediate())
+            out_.comment(
+                "The node also runs a cycle when an input arrives. The model counts no time, so its cycles may have "
+                "any length: what has been checked is the order of inputs and outputs, and not their times.");
         for (const Topic& topic : plan_.topics) {
             const char* verb = topic.published ? "publishes" : "receives";
             if (topic.is_called()) verb = "calls";
@@ -141,6 +145,7 @@ private:
         }
         out_.line("void release();");
         out_.line("void cycle();");
+        if (is_immediate()) out_.line("void dispatch();");
         out_.line("void connect_outbox();");
         out_.line("void publish();");
         out_.line("[[nodiscard]] ::robochart::ros2::Health::Facts facts() const;");
@@ -192,6 +197,7 @@ private:
         }
         for (const Silence& silence : plan_.silences)
             out_.line(fmt::format("::robochart::ros2::Watch {}_;", silence.member));
+        if (is_immediate()) out_.line_with_doc("bool in_cycle_ = false;", "a cycle is running");
         out_.line_with_doc("bool ended_ = false;", "the controller has terminated or cannot go on");
         for (const Topic& topic : plan_.topics) out_.line(fmt::format("{} {}_;", end_type(topic), topic.member));
         for (const Topic& topic : plan_.topics)
@@ -216,6 +222,7 @@ private:
         return fmt::format("{}<{}>::SharedPtr", end, type);
     }
 
+    [[nodiscard]] bool is_immediate() const { return generation_.options.dispatch == Dispatch::immediate; }
     [[nodiscard]] bool calls_services() const { return plan_.calls(Transport::service); }
     [[nodiscard]] bool calls_actions() const { return plan_.calls(Transport::action); }
 
@@ -509,6 +516,10 @@ private:
             for (const Incoming& incoming : plan_.incoming)
                 if (raises(incoming)) write_tested(incoming);
         }
+        const auto takes = [&](const Incoming& incoming) {
+            return raises(incoming) || (incoming.topic == topic && incoming.variable != nullptr);
+        };
+        if (is_immediate() && std::ranges::any_of(plan_.incoming, takes)) out_.line("dispatch();");
         out_.close();
     }
 
@@ -639,7 +650,9 @@ private:
         out_.line("                     std::to_string(lost).c_str());");
         out_.line("note(\"lost cycles: \" + std::to_string(lost));");
         out_.close();
+        if (is_immediate()) out_.line("in_cycle_ = true;");
         out_.line("const ::robochart::StepResult result = robot_->step();");
+        if (is_immediate()) out_.line("in_cycle_ = false;");
         out_.line("publish();");
         out_.line("#if ROBOCHART_TRACE");
         out_.line("if (log_ && !log_->good())");
@@ -663,7 +676,16 @@ private:
             "RCLCPP_ERROR(get_logger(), \"the controller cannot go on (StepResult %d)\", static_cast<int>(result));");
         out_.line("report_health(::robochart::ros2::Health::Status::ERROR, \"the controller cannot go on\");");
         out_.close();
+        if (is_immediate()) write_dispatch();
         write_health();
+    }
+
+    /// An input that arrives during a cycle, such as a reply within a call, is read by the next cycle of the timer.
+    void write_dispatch() {
+        out_.gap();
+        out_.open(fmt::format("void {}::dispatch() {{", node_));
+        out_.line("if (active_ && !ended_ && !in_cycle_) cycle();");
+        out_.close();
     }
 
     /// Writes the function with the data about the running controller that the node reports as its health.
@@ -874,6 +896,7 @@ private:
         out_.line("RCLCPP_ERROR(get_logger(), \"parameter log: cannot write %s\", log_file_.c_str());");
         out_.line("return false;");
         out_.close();
+        if (is_immediate()) out_.line("log->note(\"immediate dispatch: cycles have different lengths\");");
         out_.line("log_ = std::move(log);");
         out_.line("robot_->SetTracer(log_.get());");
         out_.line("return true;");

@@ -16,6 +16,7 @@
 #include "cpp_emit/ros2/node_constants.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
 #include "cpp_emit/ros2/rules.hpp"
+#include "cpp_emit/ros2/time_use.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
@@ -79,6 +80,7 @@ public:
         if (mapping != nullptr)
             for (const Item& item : mapping->farewells) add_farewell(item);
         note_defaults();
+        if (generation_.options.dispatch == Dispatch::immediate) check_dispatch();
         collect_packages();
         return std::move(plan_);
     }
@@ -660,6 +662,17 @@ private:
         if (!names.empty())
             diagnostics_.report(rules::not_mapped, generation_.component.origin.span,
                                 {generation_.component.name, fmt::format("{}", fmt::join(names, ", "))});
+    }
+
+    /// A cycle that an input begins is shorter than the others, which is right only if the model counts no time.
+    void check_dispatch() {
+        const Component& component = generation_.component;
+        const auto use = find_time_use(component);
+        if (use)
+            diagnostics_.report(rules::counts_time, use->span.is_known() ? use->span : component.origin.span,
+                                {component.name, use->text});
+        else
+            diagnostics_.report(rules::dispatched, component.origin.span, {component.name});
     }
 
     void collect_packages() {

@@ -1,12 +1,16 @@
-// Declares a tracer that writes a log for `robochart-verify conform --traces` and counts transitions. It is for hosts
-// with files. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// A tracer that writes a log for `robochart-verify conform --traces` and counts transitions; for hosts with files. The
+// log is a text, or an MCAP file if its name ends in `.mcap`.
+// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACE_FILE_HPP
 #define ROBOCHART_TRACE_FILE_HPP
 
+#include <chrono>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "robochart/mcap_writer.hpp"
 #include "robochart/trace.hpp"
 
 namespace robochart {
@@ -17,19 +21,25 @@ public:
     TraceFile(const TraceFile&) = delete;
     TraceFile& operator=(const TraceFile&) = delete;
     ~TraceFile() override {
-        if (file_ != nullptr) std::fclose(file_);
+        if (file_ == nullptr) return;
+        if (!pending_.empty()) write_pending();
+        std::fclose(file_);
     }
 
     /// Begins the log. Returns false if the file cannot be written. Without a log, only transitions are counted.
     [[nodiscard]] bool open(const std::string& path, const std::string& robot = "") {
-        file_ = std::fopen(path.c_str(), "w");
+        const std::string extension = ".mcap";
+        const bool mcap = path.size() >= extension.size() &&
+                          path.compare(path.size() - extension.size(), extension.size(), extension) == 0;
+        file_ = std::fopen(path.c_str(), mcap ? "wb" : "w");
         if (file_ == nullptr) return false;
-        std::fprintf(file_, "robochart-trace 1\n");
-        if (*header_.model != 0) std::fprintf(file_, "model %s\n", header_.model);
-        std::fprintf(file_, "component %s\ncycle %u\n", header_.component, static_cast<unsigned>(header_.cycle_length));
-        std::fputs(header_.constants, file_);
-        if (!robot.empty()) std::fprintf(file_, "robot %s\n", robot.c_str());
-        std::fflush(file_);
+        if (mcap) begin_mcap();
+        pending_ = "robochart-trace 1\n";
+        if (*header_.model != 0) pending_ += std::string("model ") + header_.model + '\n';
+        pending_ += std::string("component ") + header_.component + "\ncycle " + std::to_string(header_.cycle_length) +
+                    '\n' + header_.constants;
+        if (!robot.empty()) pending_ += "robot " + robot + '\n';
+        write_pending();
         return std::ferror(file_) == 0;
     }
     /// Returns whether all writes so far have succeeded.
@@ -39,19 +49,15 @@ public:
     void begin() noexcept override { begun_ = false; }
     void text(const char* piece) noexcept override {
         if (file_ == nullptr) return;
-        if (!begun_) std::fprintf(file_, "run %d\n", ++runs_);
+        if (!begun_) pending_ += "run " + std::to_string(++runs_) + '\n';
         begun_ = in_cycle_ = true;
-        std::fputs(piece, file_);
+        pending_ += piece;
     }
     /// Writes a comment on a separate line, for incidents of the robot that are not events of the model. In a cycle,
     /// the comment follows the cycle's line.
     void note(const std::string& comment) {
         if (file_ == nullptr) return;
-        if (in_cycle_) {
-            notes_ += "// " + comment + '\n';
-        } else {
-            std::fprintf(file_, "// %s\n", comment.c_str());
-        }
+        (in_cycle_ ? notes_ : pending_) += "// " + comment + '\n';
     }
     void taken(std::uint32_t transition) noexcept override {
         if (transition < counts_.size()) ++counts_[transition];
@@ -60,9 +66,9 @@ public:
     void end() noexcept override {
         in_cycle_ = false;
         if (file_ == nullptr) return;
-        std::fputs(notes_.c_str(), file_);
+        pending_ += notes_;
         notes_.clear();
-        std::fflush(file_);
+        write_pending();
     }
 
     /// Returns the number of times that each transition was taken.
@@ -82,9 +88,37 @@ public:
     }
 
 private:
+    void begin_mcap() {
+        mcap_ = std::make_unique<McapWriter>("/trace");
+        const std::string bytes = mcap_->begin();
+        std::fwrite(bytes.data(), 1, bytes.size(), file_);
+        chunk_at_ = std::ftell(file_);
+    }
+    /// Writes the text since the last call. An MCAP file is complete afterwards: its end follows the new chunk, which
+    /// overwrites the last end.
+    void write_pending() noexcept {
+        std::string bytes;
+        if (mcap_) {
+            const auto now = std::chrono::system_clock::now().time_since_epoch();
+            const auto time = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+            bytes = mcap_->chunk(pending_, static_cast<std::uint64_t>(time));
+            std::fseek(file_, chunk_at_, SEEK_SET);
+            chunk_at_ += static_cast<long>(bytes.size());
+            bytes += mcap_->end();
+        } else {
+            bytes = pending_;
+        }
+        std::fwrite(bytes.data(), 1, bytes.size(), file_);
+        std::fflush(file_);
+        pending_.clear();
+    }
+
     RunHeader header_;
     std::FILE* file_ = nullptr;
     std::vector<unsigned long> counts_;
+    std::unique_ptr<McapWriter> mcap_;  ///< null for a text
+    long chunk_at_ = 0;                 ///< the place of the next chunk
+    std::string pending_;               ///< text that is not in the file yet
     std::string notes_;
     int runs_ = 0;
     bool begun_ = false;     ///< true if the line `run N` of the current run is written

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 #include "base/diagnostics/escape.hpp"
@@ -36,13 +37,14 @@ TraceLog::TraceLog(TraceLogOptions options, const Scenario& scenario, const cpp_
 TraceLog::~TraceLog() {
     for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
         flush(robot);
-        if (error_.empty() && robots_[robot].file != nullptr) error_ = robots_[robot].file->finish();
+        finish_file(robot);
     }
     if (!error_.empty() && options_.failed) options_.failed(error_);
 }
 
 std::string TraceLog::log_path(std::size_t robot) const {
-    return fmt::format("trial-{:02}/robot-{:02}.trace", trial_ + 1, options_.first + robot);
+    return fmt::format("trial-{:02}/robot-{:02}.{}", trial_ + 1, options_.first + robot,
+                       options_.format == LogFormat::mcap ? "mcap" : "trace");
 }
 
 void TraceLog::begin(std::size_t robot) {
@@ -116,16 +118,37 @@ void TraceLog::observe_cycle(std::size_t robot, std::uint64_t /*step*/, const rc
     else
         text += "// the controller stopped here";
     text += '\n';
+    ++robots_[robot].cycles;
     if (text.size() > most_kept) flush(robot);
 }
 
 void TraceLog::flush(std::size_t robot) {
     Robot& log = robots_[robot];
     if (log.text.empty() || !error_.empty()) return;
-    if (log.file == nullptr)
-        log.file = std::make_unique<diagnostics::GrowingFile>(options_.folder, log_path(robot), options_.budget);
-    error_ = log.file->append(log.text);
+    if (log.file == nullptr) open_file(robot);
+    if (error_.empty()) error_ = log.file->append(log.mcap ? log.mcap->chunk(log.text, nanoseconds(log)) : log.text);
     log.text.clear();
+}
+
+void TraceLog::open_file(std::size_t robot) {
+    Robot& log = robots_[robot];
+    log.file = std::make_unique<diagnostics::GrowingFile>(options_.folder, log_path(robot), options_.budget);
+    if (options_.format == LogFormat::text) return;
+    log.mcap = std::make_unique<robochart::McapWriter>("/trace");
+    error_ = log.file->append(log.mcap->begin());
+}
+
+void TraceLog::finish_file(std::size_t robot) {
+    Robot& log = robots_[robot];
+    if (!error_.empty() || log.file == nullptr) return;
+    if (log.mcap) error_ = log.file->append(log.mcap->end());
+    if (error_.empty()) error_ = log.file->finish();
+}
+
+/// The time of the trial at the end of the robot's last cycle.
+std::uint64_t TraceLog::nanoseconds(const Robot& log) const {
+    const double seconds = static_cast<double>(log.cycles * scenario_.units_per_step) * scenario_.time_unit;
+    return static_cast<std::uint64_t>(std::llround(seconds * 1e9));
 }
 
 }  // namespace robochart::simulation

@@ -3,19 +3,23 @@
 // the inputs and outputs of the robot's controller in every cycle.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics/files.hpp"
+#include "cpp_emit/runtime/mcap_writer.hpp"
 #include "cpp_emit/simulator_api.hpp"
+#include "simulation/trial/log_format.hpp"
 #include "simulation/trial/trial.hpp"
 
 namespace robochart::simulation {
 
 struct TraceLogOptions {
-    std::string folder;     ///< the folder of FOLDER/trial-01/robot-00.trace
+    std::string folder;  ///< FOLDER/trial-01/robot-00.trace, or robot-00.mcap
+    LogFormat format = LogFormat::text;
     std::string component;  ///< the name in the log's header
     std::string model;
     std::vector<std::string> constants;  ///< NAME=VALUE for the constants of the model in this run
@@ -40,12 +44,17 @@ private:
         std::string text;
         bool ended = false;
         std::unique_ptr<diagnostics::GrowingFile> file;
+        std::unique_ptr<robochart::McapWriter> mcap;  ///< null for a text
+        std::uint64_t cycles = 0;
     };
     void begin(std::size_t robot);
     void add_value(std::string& text, const cpp_emit::Port& port, std::size_t argument, rc_value value) const;
     void add_inputs(std::string& text, const rc_signal* inputs) const;
     void add_action(std::string& text, const rc_action& action) const;
     void flush(std::size_t robot);
+    void open_file(std::size_t robot);
+    void finish_file(std::size_t robot);
+    [[nodiscard]] std::uint64_t nanoseconds(const Robot&) const;
     [[nodiscard]] std::string log_path(std::size_t robot) const;
 
     TraceLogOptions options_;

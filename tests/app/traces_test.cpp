@@ -47,6 +47,60 @@ TEST(Traces, EveryRobotOfBothCaseStudiesRunsAsItsModel) {
     }
 }
 
+/// A simulation writes the same logs as text and as MCAP files, which the model accepts.
+TEST(Traces, LogsOfASimulationMayBeMcapFiles) {
+    const Folder folder;
+    const std::string scenario = repository("corpus/aggregation/aggregation.scenario");
+    for (const char* format : {"text", "mcap"})
+        ASSERT_NE(run({"simulate", scenario, "--trials", "1", "--no-pictures", "--log", folder / format, "--log-format",
+                       format})
+                      .exit,
+                  2);
+    ASSERT_TRUE(fs::exists(folder / "mcap/trial-01/robot-19.mcap"));
+    for (const char* format : {"text", "mcap"}) {
+        const auto checked = run({"conform", repository("corpus/aggregation"), "--traces", folder / format});
+        EXPECT_EQ(checked.exit, 0) << checked.out << checked.err;
+        EXPECT_THAT(checked.out, HasSubstr("20 accepted, 0 rejected, 0 inconclusive")) << format;
+    }
+    // the MCAP file has the words of the text
+    const std::string text = read_contents(folder / "text/trial-01/robot-00.trace");
+    const std::string words = text.substr(text.find("component "));
+    EXPECT_THAT(read_contents(folder / "mcap/trial-01/robot-00.mcap"), HasSubstr(words.substr(0, 200)));
+}
+
+/// A log of readings that the model compares with each other decides, and says why if it does not.
+TEST(Traces, ReadingsThatAreComparedWithEachOtherDecide) {
+    const Folder folder({std::pair<std::string, std::string>(
+        "m.rct",
+        "interface Drive { approach(x : real) hold() }\n"
+        "stm M { requires Drive event distance : real event other : real var d : real var o : real var last : real "
+        "initial i state S { } junction k transition t0 { from i to S } transition t1 { from S to S trigger other ? o "
+        "}\n"
+        "transition t2 { from S to k trigger distance ? d }\n"
+        "transition t3 { from k to S condition last - d > 0.5 \\/ d < o action approach(d) ; last = d }\n"
+        "transition t4 { from k to S condition not (last - d > 0.5 \\/ d < o) action hold() ; last = d } }\n")});
+    const auto checked = [&](const std::string& runs) {
+        std::ofstream(folder / "a.trace") << "robochart-trace 1\ncomponent M\n" << runs;
+        return run({"conform", folder / "m.rct", "--traces", folder / "a.trace"});
+    };
+    const std::string first = "run a\nother?1.7999999523162842 tock\ndistance?2.5 hold! tock\n";
+    const std::string good = first +
+                             "distance?1.899999976158142 approach!1.899999976158142 tock\n"
+                             "distance?1.7999999523162842 hold! tock\n"
+                             "distance?1.7 approach!1.7 tock\n";
+    const auto accepted = checked(good + good);
+    EXPECT_EQ(accepted.exit, 0) << accepted.out << accepted.err;
+    EXPECT_THAT(accepted.out, HasSubstr("2 accepted, 0 rejected, 0 inconclusive"));
+    const auto rejected = checked(good + first + "distance?1.899999976158142 hold! tock\n");
+    EXPECT_EQ(rejected.exit, 1) << rejected.out << rejected.err;
+    EXPECT_THAT(rejected.out, HasSubstr("allowed    approach(1.899999976158142)"));
+    std::string many = "run a\n";
+    for (int i = 0; i < 1500; ++i) many += "other?" + std::to_string(i) + ".25 tock\n";
+    const auto open = checked(many);
+    EXPECT_EQ(open.exit, 3) << open.out << open.err;
+    EXPECT_THAT(open.out, HasSubstr("the log has more than 1000 different numbers"));
+}
+
 /// Logs contain values that are not numbers of any model, and numbers near the limits of `double`.
 TEST(Traces, NumbersThatAreNoneAreRefusedAndExtremeOnesAreCompared) {
     const std::string model =

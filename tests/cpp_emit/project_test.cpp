@@ -404,6 +404,55 @@ TEST_F(Project, AModuleOfPython) {
     folder_.run("cd build && ctest --output-on-failure");
 }
 
+/// Elements with keywords of Python as names, and others with the names to which these are changed.
+const char* const keywords_model = R"(package p
+enumeration Sort { ^is is_ None name value }
+datatype Pair { ^lambda : nat lambda_ : nat }
+interface Sensors { event ^from : Sort event ^pass : Pair }
+interface Actuators { ^yield(v : nat) yield_() }
+interface Shared { var ^with : nat var with_ : nat var ^nonlocal : Sort }
+stm ^def { uses Sensors requires Actuators requires Shared var p : Pair
+    initial i state ^global { } state global_ { } state name { }
+    transition t0 { from i to ^global }
+    transition t1 { from ^global to global_ trigger ^from ? ^nonlocal action ^yield(1) ; yield_() ; ^with = 3 ; with_ = 4 }
+    transition t2 { from global_ to name trigger ^pass ? p }
+}
+)";
+
+const char* const keywords_bench = R"(import def_controller as c
+import robot as given
+
+class Robot(c.def_):
+    calls = ()
+    def yield__(self, value):
+        self.calls += (("yield", value),)
+    def yield_(self):
+        self.calls += ("yield_",)
+
+robot = Robot()
+robot.step()
+assert robot.state() == c.def_.States.global__
+robot.raise_from(c.Sort.is__)
+robot.step()
+assert robot.state() == c.def_.States.global_
+assert robot.calls == (("yield", 1), "yield_"), robot.calls
+assert (robot.with__, robot.with_) == (3, 4)
+assert robot.nonlocal_ == c.Sort.is__ and robot.nonlocal_ != c.Sort.is_
+assert [literal.name for literal in (c.Sort.None_, c.Sort.name_, c.Sort.value_)] == ["None_", "name_", "value_"]
+robot.raise_pass(c.Pair(lambda__=1, lambda_=2))
+robot.step()
+assert robot.state().name == "name_"
+given.main(3)
+)";
+
+TEST_F(Project, AModuleOfPythonChangesKeywords) {
+    ROBOCHART_NEEDS(pybind_is_there(folder_), "pybind11 (Debian: pybind11-dev python3-dev)");
+    emit(testing::load_model(keywords_model), "def", Target::python);
+    build("-DPYTHON_EXECUTABLE=/usr/bin/python3");
+    write("bench.py", keywords_bench);
+    folder_.run("PYTHONPATH=build /usr/bin/python3 bench.py");
+}
+
 /// Names of elements that the projects, the headers and generated code use too.
 const char* const awkward = R"(package time
 enumeration Kind { BUFSIZ EOF left }

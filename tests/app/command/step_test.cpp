@@ -44,6 +44,17 @@ TEST(Step, ALogOfAWayIsAccepted) {
     EXPECT_THAT(ran.out, ::testing::ContainsRegex("e\\?[1-9] go![1-9]!0.5 o!true"));
 }
 
+/// The log is written as an MCAP file, which `step` and `conform` read again.
+TEST(Step, ALogMayBeAnMcapFile) {
+    const Ran ran = step(
+        "tock\\n1\\n1\\n1\\ntock\\n2\\n1\\n1\\ntock\\nsave way.trace\\nsave way.mcap\\nload way.mcap\\nsave "
+        "again.trace\\n",
+        "S && grep -v run: way.trace > a && grep -v run: again.trace > b && diff a b && \"$verify\" conform m.rct "
+        "--component S --traces way.mcap");
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("1 accepted, 0 rejected, 0 inconclusive"));
+}
+
 TEST(Step, FollowsALogOfARobot) {
     const std::string log =
         "robochart-trace 1\\ncomponent p::S\\ncycle 1\\nrun a\\ntock\\ne?2 go!2!0.5 o!true tock\\ntock\\n";
@@ -104,8 +115,8 @@ TEST(Step, ReportsWrongCommands) {
     for (const std::string text :
          {"there is no offer 17", "there is no choice to go back from", "the way has only ",
           "-1: expected a whole number", "until what?", "no command 'randm'; did you mean 'random'?",
-          "way.txt: what is saved is a log, FILE.trace, or an assertion, FILE.assertions", "/proc/way.trace",
-          "m.assertions is there already, and stays as it is"})
+          "way.txt: what is saved is a log, FILE.trace or FILE.mcap, or an assertion, FILE.assertions",
+          "/proc/way.trace", "m.assertions is there already, and stays as it is"})
         EXPECT_THAT(ran.err, HasSubstr(text));
 }
 

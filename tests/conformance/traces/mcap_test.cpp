@@ -11,6 +11,7 @@
 #include "base/diagnostics/splitmix64.hpp"
 #include "conformance/traces/decompress.hpp"
 #include "conformance/traces/mcap.hpp"
+#include "cpp_emit/runtime/mcap_writer.hpp"
 
 namespace robochart::conformance {
 namespace {
@@ -194,6 +195,28 @@ TEST(Mcap, ChunksDoNotGrowBeyondTheirSize) {
     for (int i = 0; i < 10'000; ++i) bomb += zstd_repeated('\0', 128 * 1024);  // 1.2 GiB
     EXPECT_NE(read(whole(compressed_chunk("zstd", bomb, 1000, 0))).find("more than the declared 1000 bytes"),
               std::string::npos);
+}
+
+/// What the writer of generated controllers and simulations writes is read, whatever the texts are.
+TEST(Mcap, IsWritten) {
+    McapWriter writer("/trace");
+    std::string file = writer.begin();
+    EXPECT_NE(read(file + writer.end()).find("no channel has messages with a log"), std::string::npos);
+    std::string expected;
+    for (const std::string& text :
+         {"robochart-trace 1\ncomponent M\n"s, "run 1\na? tock\n"s, std::string(100'000, 'y')}) {
+        file += writer.chunk(text, 1'000'000'000);
+        expected += text + (text.ends_with('\n') ? "" : "\n");
+        EXPECT_EQ(read(file + writer.end()), expected);
+    }
+    const std::string good = file + writer.end();
+    EXPECT_TRUE(good.starts_with(file_magic + record(1, text_field("ros2") + text_field("robochart-verify"))));
+    EXPECT_TRUE(good.ends_with(end_of_data(crc_of(file)) + record(2, little(0, 20)) + file_magic));
+    for (std::size_t at = 0; at < file.size(); at += 97) {
+        std::string bad = good;
+        bad[at] = static_cast<char>(bad[at] ^ 1);
+        EXPECT_THROW((void)read_mcap(bad, diagnostics::unlimited), McapFault) << at;
+    }
 }
 
 /// Every prefix of a file is refused. A file with a changed byte is refused if it has checksums.

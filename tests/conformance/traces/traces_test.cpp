@@ -341,6 +341,18 @@ TEST(Traces, ReadingsThatAreComparedWithEachOtherDecide) {
         EXPECT_EQ(verdicts(replay, limit, distance), near ? "ar" : "ra") << limit << ' ' << distance;
 }
 
+/// The model is evaluated only in the states of the log: compilation would visit a power of the number of readings.
+TEST(Traces, ManyReadingsDecide) {
+    Replay replay(test::ModelFolder(nearer("d < l")).path(), "M");
+    std::string good = "run a\ntock\nlimit?75.5 tock\n";
+    for (int i = 0; i < 150; ++i) {
+        const std::string reading = std::to_string(i * 37 % 150) + ".25";
+        good += "distance?" + reading + (i * 37 % 150 <= 75 ? " near!" + reading : "") + " tock\n";
+    }
+    EXPECT_EQ(replay.check_numbers(good).accepted, 1U) << replay.cause;
+    EXPECT_EQ(replay.check_numbers(good + "distance?76.25 near!76.25 tock\n").rejected, 1U) << replay.cause;
+}
+
 /// `d - l > 0.5` where the difference is not a number of the finite instantiation: it is not clipped.
 TEST(Traces, DifferencesOfReadingsDecide) {
     Replay replay(test::ModelFolder(nearer("l - d > 0.5")).path(), "M");

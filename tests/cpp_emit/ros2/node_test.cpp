@@ -692,6 +692,71 @@ int main() {
           true);
 }
 
+/// With immediate dispatch, each message is read by a cycle of its own, at once; the timer goes on. A message that
+/// raises no event begins no cycle while the node is inactive.
+TEST_F(Package, RunsACycleWhenAnInputArrives) {
+    Options options;
+    options.dispatch = Dispatch::immediate;
+    emit(testing::load_model(two_topics), "M", two_topics_mapping, {}, options);
+    drive("M_node.hpp", R"(
+#include <fstream>
+#include <sstream>
+int main() {
+    Network& network = Network::get();
+    network.parameters["log"] = std::string("run.trace");
+    order::MNode node;
+    EXPECT(started(node));
+    network.send("/obstacle", std_msgs::msg::Empty{});  // the first cycle enters Driving and takes the event
+    EXPECT(taken<std_msgs::msg::Int64>("/waypoint_goal").size() == 1);
+    EXPECT(taken<geometry_msgs::msg::Twist>("/cmd_vel").size() == 1);
+    network.nanoseconds += 1'000'000;
+    network.send("/clear", std_msgs::msg::Empty{});
+    network.send("/obstacle", std_msgs::msg::Empty{});
+    EXPECT(taken<std_msgs::msg::Int64>("/waypoint_goal").size() == 1);
+    EXPECT(taken<geometry_msgs::msg::Twist>("/cmd_vel").size() == 1);
+    network.tick();
+    EXPECT(taken<std_msgs::msg::Int64>("/waypoint_goal").empty());
+    EXPECT(node.deactivate().label() == "inactive");
+    network.send("/clear", std_msgs::msg::Empty{});
+    EXPECT(taken<std_msgs::msg::Int64>("/waypoint_goal").empty());
+    std::ostringstream log;
+    log << std::ifstream("run.trace").rdbuf();
+    EXPECT(log.str() == "robochart-trace 1\ncomponent order::M\ncycle 1\n"
+                        "// immediate dispatch: cycles have different lengths\n"
+                        "run 1\nobstacle? go!1 halt! horn! tock\nclear? go!1 tock\nobstacle? halt! horn! tock\ntock\n");
+    return 0;
+})",
+          true);
+}
+
+/// A component that counts time needs cycles of the same length. The finding names the first element that counts time.
+TEST_F(Package, WithTimeHasNoImmediateDispatch) {
+    Options options;
+    options.dispatch = Dispatch::immediate;
+    const auto findings = [&](const std::string& machine) {
+        const std::string model = "package p\ninterface E { event e event out : nat }\n" + machine;
+        return emit_package(testing::load_model(model), "M", "", {}, options).findings;
+    };
+    const auto contains = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos ? ::testing::AssertionSuccess()
+                                                    : ::testing::AssertionFailure() << part << " is not in " << text;
+    };
+    const std::string head =
+        "stm M { uses E clock T initial i state A { } state B { }\ntransition t0 { from i to A }\n";
+    EXPECT_TRUE(contains(findings(head + "transition t1 { from A to B trigger e action #T } }"), "RC-R14"));
+    for (const auto& [transition, text] : std::vector<std::pair<std::string, std::string>>{
+             {"transition t1 { from A to B condition since(T) >= 2 } }", "RC-R13 --dispatch"},
+             {"transition t1 { from A to B condition since(T) >= 2 } }",
+              "--dispatch immediate needs a model that counts no time, but 'M' reads a clock"},
+             {"transition t1 { from A to B condition sinceEntry(A) >= 2 } }", "'M' reads a clock"},
+             {"transition t1 { from A to B trigger e action wait(1) } }", "'M' waits"},
+             {"transition t1 { from A to B trigger e action wait([1, 2]) } }", "'M' waits"},
+             {"transition t1 { from A to B trigger e <{ 2 } } }", "'M' has a deadline"}})
+        EXPECT_TRUE(contains(findings(head + transition), text)) << transition;
+    EXPECT_TRUE(contains(emit_package(testing::load_model(lamp, "test.rst"), "Switch", "", {}, options).findings,
+                         "is written in RoboSim"));
+}
+
 /// If the log cannot be written, or if the build has no trace hook, the node is not configured.
 TEST_F(Package, IsNotConfiguredWithoutItsLog) {
     emit(testing::load_model(two_topics), "M", two_topics_mapping);
