@@ -36,6 +36,12 @@ const Example examples[] = {
      "transition t0 { from i to A }\n"
      "transition t1 { from A to B trigger e?x condition x > 0 }\n"
      "transition t2 { from B to A } }\n"},
+    {"BlockedAtAJunction", "S",
+     "stm S { event e : nat event o : nat event p clock C var x : nat initial i state A { } junction j\n"
+     "transition t0 { from i to A }\n"
+     "transition t1 { from A to j trigger e?x #C }\n"
+     "transition t2 { from j to A condition x > 1 action o!x }\n"
+     "transition t3 { from j to A condition x == 1 /\\ since(C) > 1 action p } }\n"},
     {"SameInputTwice", "S",
      "stm S { event e event o event p initial i state A { } state B { } state D { entry wait(1) }\n"
      "transition t0 { from i to A }\n"
