@@ -256,6 +256,24 @@ void MachineWriter::write_container(const NodeContainer& container, const Surrou
         finish(way, robosim_name(node->name));
     }
     for (const auto& transition : container.transitions) write_transition(*transition, around);
+    for (const auto& node : container.nodes)
+        if (node->kind == DeclKind::junction) write_blocked(container, *node, around);
+}
+
+/// In RoboChart, time passes at a junction while no transition is enabled. In RoboSim, time would stop there. So cycles
+/// pass, unless a transition is certainly enabled.
+void MachineWriter::write_blocked(const NodeContainer& container, const State& junction, const Surroundings& around) {
+    const Surroundings leaving{nullptr, ways_from(container, junction), around.busy, {}, {}};
+    std::set<std::string> conditions;
+    for (const Transition* transition : leaving.outgoing) {
+        if (transition->otherwise || !transition->condition) return;
+        conditions.insert(expression(*transition->condition));
+    }
+    for (const std::string& condition : conditions)
+        if (conditions.contains("not " + condition) || conditions.contains("not (" + condition + ")")) return;
+    if (conditions.empty()) return;
+    line(fmt::format("transition {0} {{ from {1} to {1} condition {2} action {3} }}", new_name("blocked"),
+                     robosim_name(junction.name), idle_condition(leaving), cycle_end_text()));
 }
 
 void MachineWriter::write_node(const NodeContainer& container, const State& node, const Surroundings& around) {

@@ -76,6 +76,7 @@ private:
     void write_node(const NodeContainer&, const State&, const Surroundings&);
     void write_state(const NodeContainer&, const State&, const Surroundings&);
     void write_rest(const Surroundings& inside);
+    void write_blocked(const NodeContainer&, const State& junction, const Surroundings&);
     void write_transition(const Transition&, const Surroundings&);
     void check_times(const Transition&) const;
     [[nodiscard]] bool tests_value(const Transition&) const;

@@ -5,10 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <map>
+#include <regex>
+#include <set>
 
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
+#include "tests/rounds.hpp"
+#include "tests/shared_folder.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::app::testing::emit_rst_test {
@@ -36,6 +42,12 @@ const Example examples[] = {
      "transition t0 { from i to A }\n"
      "transition t1 { from A to B trigger e?x condition x > 0 }\n"
      "transition t2 { from B to A } }\n"},
+    {"BlockedAtAJunction", "S",
+     "stm S { event e : nat event o : nat event p clock C var x : nat initial i state A { } junction j\n"
+     "transition t0 { from i to A }\n"
+     "transition t1 { from A to j trigger e?x #C }\n"
+     "transition t2 { from j to A condition x > 1 action o!x }\n"
+     "transition t3 { from j to A condition x == 1 /\\ since(C) > 1 action p } }\n"},
     {"SameInputTwice", "S",
      "stm S { event e event o event p initial i state A { } state B { } state D { entry wait(1) }\n"
      "transition t0 { from i to A }\n"
@@ -261,6 +273,90 @@ TEST(EmitRstCorpus, IsReadBackAndProved) {
         if (model != "moving_beacon" && model != "best_of_n") continue;
         const Ran checked = run({"check", text, base + ".rst", base + ".rsa", "--assertion", module + "_*", "-q"});
         EXPECT_THAT(checked.out, HasSubstr("3 of 3 checks hold")) << checked.err;
+    }
+}
+
+/// A module, controller or state machine of a folder with a model.
+struct Component {
+    std::string folder, name;
+};
+
+/// The components in the corpus and, if they are there, in the suites beside the repository.
+std::vector<Component> components_of_suites() {
+    namespace fs = std::filesystem;
+    std::vector<Component> result;
+    std::set<std::pair<std::string, std::string>> found;
+    const std::regex declared(R"((?:module|controller|stm)\s+(\w+)\s*\{)");
+    const fs::path suites = tests::shared_folder() / "suite";
+    for (const fs::path& root :
+         {tests::source_folder() / "corpus", suites / "robotool/accept", suites / "claims", suites / "data"}) {
+        if (!fs::exists(root)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(root)) {
+            if (entry.path().extension() != ".rct") continue;
+            const std::string text = tests::read_contents(entry.path().string());
+            for (auto at = std::sregex_iterator(text.begin(), text.end(), declared); at != std::sregex_iterator(); ++at)
+                found.emplace(entry.path().parent_path().string(), (*at)[1]);
+        }
+    }
+    for (const auto& [folder, name] : found) result.push_back({folder, name});
+    return result;
+}
+
+/// What `emit rst` does with a component, and what the claims are found to be.
+enum class Answer { proved, one_way, limit, refused, not_alone, wrong };
+
+/// The component has no form in RoboSim (RC-Y17), or cannot be run in cycles (RC-Y18).
+bool is_refusal(const Ran& emitted) {
+    const std::string& text = emitted.err;
+    return emitted.exit == 2 && (text.find("RC-Y17") != std::string::npos || text.find("RC-Y18") != std::string::npos);
+}
+
+/// The written files without their extension; "" if there are none.
+std::string written_files(const Folder& out) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(out.path()))
+        if (entry.path().extension() == ".rsa") return entry.path().parent_path() / entry.path().stem();
+    return "";
+}
+
+Answer answer_of(const Component& component, const std::string& most_states) {
+    const Folder out;
+    const Ran emitted = run({"emit", "rst", component.folder, "-o", out.path(), "--component", component.name});
+    if (emitted.exit == 4) return Answer::not_alone;  // it is declared inside another component
+    if (is_refusal(emitted)) return Answer::refused;
+    const std::string base = written_files(out);
+    EXPECT_EQ(emitted.exit, 0) << emitted.out << emitted.err;
+    if (emitted.exit != 0 || base.empty()) return Answer::wrong;
+    const bool one_way = emitted.out.find("but not the reverse: ") != std::string::npos;
+    std::string claims = std::filesystem::path(base).stem().string();
+    claims.resize(claims.size() - 4);  // without "_sim"
+    std::vector<std::string> arguments{
+        "check",       component.folder,        base + ".rst", base + ".rsa",      "-q", "--max-states", most_states,
+        "--assertion", claims + "_schedulable", "--assertion", claims + "_refines"};
+    if (!one_way) arguments.insert(arguments.end(), {"--assertion", claims + "_is_refined"});
+    const Ran checked = run(arguments);
+    if (checked.exit == 3) return Answer::limit;
+    const char* const all = one_way ? "2 of 2 checks hold" : "3 of 3 checks hold";
+    EXPECT_EQ(checked.exit, 0) << checked.out << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr(all));
+    if (checked.exit != 0) return Answer::wrong;
+    return one_way ? Answer::one_way : Answer::proved;
+}
+
+/// Every component of the suites is written and proved, in both directions or in one with the reason; or it is refused
+/// with a rule; or the claims need more states than the limit. No claim fails. All components with
+/// ROBOCHART_ALL_ROUNDS, a few with few states otherwise.
+TEST(EmitRstSuite, EveryComponentIsProvedOrRefused) {
+    const std::vector<Component> components = components_of_suites();
+    const bool all = tests::rounds(3) == 3;
+    std::map<Answer, std::size_t> count;
+    for (std::size_t i = 0; i < components.size(); i += all ? 1 : 12) {
+        SCOPED_TRACE(components[i].folder + " " + components[i].name);
+        ++count[answer_of(components[i], all ? "2000000" : "5000")];
+    }
+    EXPECT_EQ(count[Answer::wrong], 0U);
+    EXPECT_GE(count[Answer::proved], 1U);
+    if (all && !tests::shared_folder().empty()) {
+        EXPECT_GE(count[Answer::proved], 25U);
     }
 }
 
