@@ -632,7 +632,7 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// Whether a verdict depends on the carriers, or may be missing because of them: they are too large, or a value lies
+/// True if a verdict depends on the carriers, or may be missing because of them: they are too large, or a value lies
 /// outside its carrier.
 bool depends_on_carriers(const Report& report) {
     const auto limits = [](const driver::Ground& ground) {

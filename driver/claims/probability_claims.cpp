@@ -65,8 +65,8 @@ std::string subject_list(const std::vector<std::string>& subjects) {
     return text;
 }
 
-/// The component that a property is about. The names in the property begin with the component's name. A property
-/// without names is about the only component of the highest level.
+/// Returns the component that a property is about. Names in the property begin with the name of this component. A
+/// property without names is about the only component of the highest level.
 ir::ComponentRef subject_of(const Project& project, const std::vector<std::string>& subjects) {
     if (subjects.size() > 1)
         throw NotExpressed(fmt::format("it speaks of several components: {}", subject_list(subjects)));
@@ -95,7 +95,7 @@ probability::Scheduler scheduler_of(const SearchContext& search) {
     return probability::Scheduler::any;
 }
 
-/// True if an assertion is decided on RoboTool's Markov chain. Random paths always use this chain, because paths of a
+/// True if the assertion is decided on RoboTool's Markov chain. Random paths always use this chain, because paths of a
 /// decision process depend on the scheduler.
 bool uses_robotool(const SearchContext& search, const frontend::ProbabilisticAssertion& assertion) {
     return search.settings.probability.encoding == Encoding::robotool || probability::is_simulated(assertion);
@@ -141,7 +141,8 @@ public:
     void give_back() { encoding_.reset(); }
 
 private:
-    /// The encoding has one budget, which it uses in the turns of several claims.
+    /// Returns the limits of the run, with an interruption at the end of the current turn. The encoding uses one budget
+    /// in the turns of several claims.
     diagnostics::Limits limits_of_turn() {
         diagnostics::Limits limits = search_.services.budget().limits();
         limits.interrupted = [this] { return search_.services.budget().is_interrupted() || turn_.is_over(); };

@@ -29,7 +29,7 @@ bool is_refinement(const csp_emit::Obligation& obligation) {
     return obligation.kind == ir::PropertyKind::refines || obligation.kind == ir::PropertyKind::equals;
 }
 
-/// "P::S::e.in" for `P::S::e.in` and `P::S::e.in.3`; "" if the expression is not an event of a component.
+/// Returns "P::S::e.in" for `P::S::e.in` and `P::S::e.in.3`; "" if the expression is not an event of a component.
 std::string event_named(const ExprPtr& expr, const csp_emit::Provenance& provenance) {
     const bool dotted = expr->kind == cspm::ExprKind::dot;
     const ExprPtr& channel = dotted ? expr->args.front() : expr;
@@ -47,8 +47,8 @@ bool contains_channel(const std::set<std::string>& events, const std::string& ch
     return next != events.end() && next->starts_with(channel + ".");
 }
 
-/// The events of components in prefixes of the expression and of the definitions that it uses, each with its first
-/// place.
+/// Returns the events of components that occur as prefixes in the expression and in the definitions that it uses, each
+/// with its first place.
 std::map<std::string, diagnostics::Span> prefixed_events(const csp_emit::Emission& emission, const ExprPtr& process) {
     std::map<std::string, diagnostics::Span> found;
     csp_emit::visit_named(emission, {process}, [&](const ExprPtr& expr) {
@@ -113,7 +113,7 @@ ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     std::vector<ExprPtr> outputs;
     for (const std::string& path : csp_emit::components_in(emission_, {process}))
         for (const ExprPtr& output : csp_emit::outputs_of(emission_.provenance, path)) outputs.push_back(output);
-    // a claim that compares two components renames the registers of one to those of the other
+    // a claim that compares two components renames the registers of one component to those of the other
     if (runs_in_cycles(process))
         for (const csp_emit::ComponentProcesses& component : emission_.components)
             for (const ExprPtr& event : csp_emit::cycle_events_of(emission_.provenance, component.path))
@@ -121,8 +121,8 @@ ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     return outputs.empty() ? process : b::hide(process, b::productions(outputs));
 }
 
-/// The process of the claim's component in this variant, with the constants of the instantiation. Null if the claim is
-/// not about a component or sets constants.
+/// Returns the given variant of the process of the claim's component, with the constants of the instantiation. Returns
+/// null if the claim is not about a component or sets constants.
 ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std::string& variant) const {
     if (obligation.property == ir::no_id) return nullptr;
     const ir::Property& property = project_.system.properties[obligation.property];
@@ -137,7 +137,7 @@ ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std
     return nullptr;
 }
 
-/// Whether some component of the process is of RoboSim.
+/// True if the process contains a RoboSim component.
 bool SecondLook::runs_in_cycles(const ExprPtr& process) const {
     const std::set<std::string> paths = csp_emit::components_in(emission_, {process});
     return std::ranges::any_of(
@@ -156,8 +156,8 @@ void SecondLook::add_time_stops(const ExprPtr& process, AssertionReport& report)
                                                : "`is timelock-free` shows a run to where time stops"});
 }
 
-/// Adds an entry if the violation is the passing of time. A specification without `tock` allows only events that occur
-/// before any time passes.
+/// Adds an entry if the violation is that time passes, and the specification never allows this. A specification without
+/// `tock` allows only events that occur before any time passes.
 void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& report) {
     if (!report.run || report.run->end.kind != runs::EndKind::forbidden || !report.run->end.event ||
         report.run->end.event->kind != runs::Kind::tock)
@@ -176,8 +176,8 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& 
                      name)});
 }
 
-/// Adds those events of the specification that never occur in the implementation. What the specification requires after
-/// such an event does not influence the answer.
+/// Adds the events of the specification that never occur in the implementation. The requirements after such an event do
+/// not influence the answer.
 void SecondLook::note_unreached_events(const cspm::Assertion& assertion, AssertionReport& report) {
     const auto named = prefixed_events(emission_, assertion.specification);
     if (named.empty()) return;

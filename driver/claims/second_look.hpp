@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explores the processes of a decided claim again, to find the entries of its basis that the search for a violation
-// cannot find. Only processes with few states are explored; larger ones are skipped.
+// cannot find. Processes with many states are skipped.
 #pragma once
 
 #include <map>

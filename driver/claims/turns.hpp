@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order in which claims are decided. Every claim gets a short turn before any claim gets a long one, so that a
-// claim that is never decided does not delay the others.
+// Determines the order in which claims are decided. Every claim gets a short turn before any claim gets a long one. So
+// a claim that is never decided does not delay the others.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A certificate is the result of tuning: constants, the search that found them, and the decisions about the model with
-// these constants. Anybody can repeat the decisions (`tune --verify-certificate`).
+// Reads and writes certificates of tuning. A certificate contains constants, the search that found them, and the
+// decisions about the model with these constants. Anybody can repeat the decisions (`tune --verify-certificate`).
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct DecidedClaim {
     std::string answer;
     std::uint64_t trials = 0;
     std::uint64_t successes = 0;
-    double low = 0;  ///< the confidence interval when it was last computed
+    double low = 0;  ///< the last computed confidence interval
     double high = 1;
 
     friend bool operator==(const DecidedClaim&, const DecidedClaim&) = default;
@@ -59,7 +59,7 @@ struct SearchRecord {
     std::string test;  ///< "friedman", "t-test"
     std::uint64_t trials = 0;
     std::uint64_t candidates = 0;
-    std::uint64_t first_seed = 0;  ///< first seed of the trials, and their number
+    std::uint64_t first_seed = 0;  ///< first seed and number of the trials
     std::uint64_t seeds = 0;
     double cost = 0;  ///< mean cost of the winner's trials in the search; lower than that of fresh trials
 };
@@ -69,7 +69,7 @@ struct Certificate {
     std::string program;     ///< "robochart-verify 0.1.0"
     std::string build;       ///< build ID of the program; "" if unknown
     std::string run = "{}";  ///< record of the run, in JSON; not compared
-    /// The constants that were found, then those that were given.
+    /// The constants that the search found, then the constants that the user gave.
     std::vector<std::pair<std::string, std::string>> constants;
     std::vector<std::string> ranges;  ///< `--range`
     SearchRecord search;

@@ -124,9 +124,9 @@ private:
         return one && !events;
     }
 
-    /// The component in parallel with the assumptions about it. An assumption refuses every event that breaks it, but
-    /// must not stop time. A response that an assumption demands is an output of the environment. Like other outputs,
-    /// it is taken at once.
+    /// Returns the component in parallel with the assumptions about it. An assumption refuses every event that breaks
+    /// it, but must not stop time. A response that an assumption demands is an output of the environment, which is
+    /// accepted at once like other outputs.
     cspm::ExprPtr with_assumptions(const CheckedClaim& claim, cspm::ExprPtr process,
                                    std::vector<cspm::ExprPtr>& outputs, std::vector<claims::Letter>& letters,
                                    csp_emit::Obligation& obligation) {
@@ -173,7 +173,8 @@ private:
         return made;
     }
 
-    /// A demanded response has two names. Claims, later assumptions and reports treat both names as one event.
+    /// Adds the second name of a demanded response. Claims, later assumptions and reports treat both names as one
+    /// event.
     void add_name(const claims::Assumed::Due& due, std::vector<claims::Letter>& letters) {
         if (const auto known = emission_.provenance.events.find(due.event); known != emission_.provenance.events.end())
             emission_.provenance.events.emplace(due.due, csp_emit::EventMeaning(known->second));
@@ -190,7 +191,7 @@ private:
     std::set<std::size_t> assumed_;  ///< the assumptions whose processes are in the script
 };
 
-/// True if the script may show the facts of the claim, too.
+/// True if the script may show the facts of this claim in addition.
 bool may_take(const claims::ShownFacts& shown, const CheckedClaim& claim) {
     claims::ShownFacts both = shown;
     claims::add_facts(claim, both);
@@ -220,7 +221,7 @@ std::vector<ShowingScript> divide_claims(const Project& project) {
 
 void emit_showing(Project& project, ShowingScript& script) {
     const csp_emit::Shown shown = claims::emitted_facts(script.shown, project.system, project.instantiation);
-    diagnostics::Diagnostics findings;  // those of the model are reported with the other script
+    diagnostics::Diagnostics findings;  // findings about the model are reported with the other script
     findings.set_budget(project.diagnostics.budget());
     script.emission = std::make_unique<csp_emit::Emission>(
         csp_emit::emit_showing(project.system, project.instantiation, shown, project.sources, findings));

@@ -20,7 +20,7 @@ struct Happening {
     bool named = false;  ///< true: the property is about this occurrence
 };
 
-/// Whether some history in which the property occurs obeys all rules.
+/// True if some history in which the property occurs obeys all rules.
 struct PropertyAnswer {
     Answer possible = Answer::no;
     std::vector<Happening> history;  ///< possible: such a history; after it no event occurs, or its end repeats
@@ -32,7 +32,7 @@ struct PropertyAnswer {
 [[nodiscard]] PropertyAnswer check_possible(const CheckedRules& rules, const CheckedProperty& property,
                                             const AnalysisOptions& options);
 
-/// Whether the other rules together imply `rule`: no history obeys them and breaks it.
+/// True if the other rules together imply `rule`: no history obeys them and breaks it.
 struct Implication {
     Answer implied = Answer::no;
     std::vector<std::size_t> by;  ///< implied: rules that imply it, all of them needed
