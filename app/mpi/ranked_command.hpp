@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of robochart-verify-mpi between the initialisation and the finalisation of MPI.
+// Runs the command of robochart-verify-mpi after the initialisation of MPI and before its finalisation.
 #pragma once
 
 #include "checker/refine/levels/exchange.hpp"
@@ -7,7 +7,7 @@
 namespace robochart::app {
 
 /// Blocks the signals that end a run, in this thread and in threads that it starts. Must be called before MPI starts
-/// threads: otherwise one of them could receive a signal, and the system would end the program.
+/// threads. Otherwise, one of these threads could receive a signal, and the system would end the program.
 void block_signals();
 
 /// Rank 0 runs the command; the other ranks serve its searches and ignore signals. Each rank searches with the number

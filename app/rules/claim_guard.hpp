@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows claims (docs/claims.md) along the runs of simulated robots: `simulate --monitor MODEL.claims`, and the claims
-// that a scenario accepts. An input counts when it is raised.
+// Follows claims (docs/claims.md) along the runs of simulated robots. These are the claims of `simulate --monitor
+// MODEL.claims`, and the claims that a scenario accepts. An input occurs for a claim when it is raised.
 #pragma once
 
 #include <atomic>
@@ -32,9 +32,9 @@ public:
     struct Watched {
         const claims::CheckedClaim* claim = nullptr;
         std::size_t kind = 0;
-        bool stops = false;                  ///< a robot that breaks it stops its trial
+        bool stops = false;                  ///< true if a robot that breaks the claim stops its trial
         std::optional<std::size_t> measure;  ///< the measure that counts the robots that obey it
-        driver::FollowedClaim::Drops drops;  ///< by the declared order of the controller
+        driver::FollowedClaim::Drops drops;  ///< drops in the declared order of the controller
     };
 
     ClaimGuard(const simulation::Scenario& scenario, std::vector<FollowedKind> kinds, std::vector<Watched> watched);
@@ -59,7 +59,7 @@ private:
     std::vector<Watched> watched_;
     std::vector<std::string> left_out_;
     std::mutex mutex_;
-    std::map<std::size_t, Broken> broken_;  ///< by the number of the claim: in the first trial
+    std::map<std::size_t, Broken> broken_;  ///< key: the number of the claim; the violation of the first trial
     std::map<std::size_t, std::string> given_up_;
     std::atomic<std::uint64_t> robots_ = 0;
 };
@@ -67,13 +67,13 @@ private:
 /// True if the scenario has claims of its models, or `--monitor` names a file of claims.
 [[nodiscard]] bool follows_claims(const simulation::Scenario& scenario, const Options& options);
 
-/// The guard of these claims; null if there are none. `kinds` are those of the scenario. Errors are reported in
-/// `reports`, whose sources contain the scenario.
+/// Returns the guard for these claims; null if there are no claims. `kinds` are the kinds of the scenario. Errors are
+/// reported in `reports`, whose sources contain the scenario.
 [[nodiscard]] std::unique_ptr<ClaimGuard> make_claim_guard(const simulation::Scenario& scenario,
                                                            std::vector<FollowedKind> kinds, driver::Project& reports,
                                                            const Options& options);
 
-/// Reports the claims of a scenario that a study of many kinds of trials does not follow.
+/// Reports an error for the claims of a scenario, because chains and `tune` do not follow claims.
 void refuse_followed_claims(const simulation::Scenario& scenario, driver::Project& project);
 
 }  // namespace robochart::app

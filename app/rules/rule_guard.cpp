@@ -19,7 +19,7 @@
 namespace robochart::app {
 namespace {
 
-/// The value of a measure in the rules; no value if the rules cannot express it.
+/// Returns the value of a measure as in the rules; no value if the rules cannot express it.
 std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_emit::Port& port, rc_value value) {
     const bool boolean = measure.type == sleec::MeasureType::boolean;
     const bool scale = measure.type == sleec::MeasureType::scale;
@@ -44,7 +44,7 @@ std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_em
     return std::nullopt;
 }
 
-/// A value as in rules; "" if no rule can name it.
+/// Returns a value as written in rules; "" if no rule can name it.
 std::string argument_text(const cpp_emit::Port& port, std::size_t place, rc_value value) {
     switch (port.arguments[place]) {
         case cpp_emit::Carried::boolean:
@@ -114,7 +114,7 @@ public:
 private:
     struct Robot {
         driver::RuleRun run;
-        bool given_up = false;  ///< the rules demand more than a monitor can follow
+        bool given_up = false;  ///< true if the rules demand more than a monitor can follow
     };
 
     /// Follows one cycle of a robot's controller.
@@ -225,7 +225,7 @@ std::string RuleGuard::summary_lines() const {
 
 namespace {
 
-/// Why the rules cannot be followed with these times; "" if they can.
+/// Returns the reason why the rules cannot be followed with these times; "" if they can.
 std::string refuse_unit(const std::optional<claims::DeclaredUnit>& declared, const RuleGuard& guard,
                         const GuardedTimes& times, const diagnostics::SourceManager& sources) {
     using durations::duration_text;

@@ -17,7 +17,7 @@
 
 namespace robochart::app {
 
-/// A rule file and its rules about a controller. Stores a reference to the emission.
+/// Monitors the rules of a file that are about a controller. Stores a reference to the emission.
 class RuleGuard final : public simulation::Guard {
 public:
     /// `units` is the number of time units of the model in one cycle.
@@ -60,8 +60,9 @@ struct GuardedTimes {
     std::string scenario;     ///< its path
 };
 
-/// Null, with the reason in `error`, if the file is wrong, if none of its rules is about the controller, or if a second
-/// of the rules is not a second of the scenario. Findings about the file are printed.
+/// Makes the guard for a rule file. Returns null, with the reason in `error`, if the file is wrong, if none of its
+/// rules is about the controller, or if a second of the rules is not a second of the scenario. Findings about the file
+/// are printed.
 [[nodiscard]] std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file,
                                                          const cpp_emit::DriveEmission& emission,
                                                          const GuardedTimes& times, const Options& options,

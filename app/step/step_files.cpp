@@ -32,7 +32,7 @@ struct Unsayable {
     std::string why;
 };
 
-/// RoboSim: "pressed" of "P::S::registerRead.P::S::i_pressed.true"; "" of another event.
+/// RoboSim: returns "pressed" for "P::S::registerRead.P::S::i_pressed.true"; "" for other events.
 std::string register_name(const std::string& name) {
     for (const std::string_view channel : {"::registerRead.", "::registerWrite."}) {
         const std::size_t at = name.find(channel);
@@ -45,12 +45,13 @@ std::string register_name(const std::string& name) {
     return "";
 }
 
-/// True for a read of the register of a variable, whose text is "x = 3".
+/// True if the event reads the register of a variable. The text of such an event is "x = 3".
 bool reads_variable(const runs::Event& event) {
     return event.text.find(" = ") != std::string::npos;
 }
 
-/// The values of an event in a log. RoboSim: the truth value that states whether a register is full is left out.
+/// Returns the values of an event in a log. For RoboSim, leaves out the truth value that states whether a register is
+/// full.
 std::vector<runs::Value> logged_values(const runs::Event& event) {
     std::vector<runs::Value> result = event.values;
     const bool of_event = event.kind == Kind::read && !reads_variable(event);
@@ -58,7 +59,7 @@ std::vector<runs::Value> logged_values(const runs::Event& event) {
     return result;
 }
 
-/// Throws Unsayable for composed values.
+/// Returns the event as a word of a log. Throws Unsayable for composed values.
 std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
     const runs::Event& event = offer.happening.event;
     if (auto word = log_word(event, offer.name, stepped)) return std::move(*word);
@@ -114,7 +115,7 @@ std::string log_text(const runs::Stepper& stepper, const Stepped& stepped) {
     return text;
 }
 
-/// A name made from a path: only letters, digits and _.
+/// Makes a name from a path. The name contains only letters, digits and _.
 std::string name_of(const std::string& path) {
     std::string name = std::filesystem::path(path).stem().string();
     for (char& c : name)
@@ -125,7 +126,7 @@ std::string name_of(const std::string& path) {
 /// The number of events in one definition, because the nesting of script texts is limited.
 constexpr std::size_t most_in_one = 100;
 
-/// The steps so far as definitions of processes; the first has this name.
+/// Returns the steps so far as definitions of processes. The first process is called `name`.
 std::string process_text(const runs::Stepper& stepper, const std::string& name) {
     std::string text = fmt::format("\t{} =", name);
     std::size_t events = 0;
@@ -138,7 +139,7 @@ std::string process_text(const runs::Stepper& stepper, const std::string& name) 
     return text + " STOP\n";
 }
 
-/// The claim that the steps so far are a trace of the component.
+/// Returns the claim that the steps so far are a trace of the component.
 std::string assertion_text(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path) {
     const std::string name = name_of(path);
     const char* const time = stepped.time == csp_emit::Time::timed ? "timed" : "untimed";
@@ -158,7 +159,7 @@ struct Node {
     std::size_t parent = 0, offer = 0;
 };
 
-/// A cycle of a log: the words that the steps must match.
+/// A cycle of a log. Its words (events as in the log) must match the steps.
 struct Wanted {
     std::uint64_t line = 0;  ///< line of its first word
     std::set<std::string> inputs;
@@ -167,7 +168,7 @@ struct Wanted {
     bool terminates = false;
 };
 
-/// The state after this event; no value if the log does not allow the event here.
+/// Returns the state after this event; no value if the log does not allow the event here.
 std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& expected, const Stepped& stepped) {
     Node result = node;
     result.term = offer.step.target;
@@ -229,7 +230,7 @@ bool has_constant(const Stepped& stepped, const std::string& constant) {
     return found != constants.end() && constant == found->first + "=" + found->second;
 }
 
-/// The cycles of the first run. Throws Unsayable if the log cannot be read.
+/// Returns the cycles of the first run of the log. Throws Unsayable if the log cannot be read.
 std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
     std::ifstream in(path);
     if (!in) throw Unsayable{fmt::format("{}: cannot be read", path)};
@@ -355,7 +356,7 @@ std::string log_head(const Stepped& stepped) {
 
 namespace {
 
-/// A log with the record of the run in a comment below its first line.
+/// Returns the log with the record of the run in a comment below its first line.
 std::string with_comment(std::string log, const RunRecord& record) {
     return log.insert(log.find('\n') + 1, fmt::format("// run: {}\n", run_line(record)));
 }

@@ -49,7 +49,7 @@ private:
     std::map<std::string, std::size_t> numbers_;
 };
 
-/// A machine of the process: the instance, and its definition, whose diagram is drawn.
+/// A machine of the process, as an instance of a definition. The diagram shows the definition.
 struct Instance {
     std::string component, machine;
 };
@@ -164,7 +164,8 @@ private:
     Strings strings_;
 };
 
-/// The contents that are visible without scripts: the first state. It is inserted into app/pages/parts/explorer.html.
+/// Writes the contents that are visible without scripts, which show the first state. They are inserted into
+/// app/pages/parts/explorer.html.
 class Body {
 public:
     Body(const Exploration& space, const Stepped& stepped) : space_(space), stepped_(stepped) {}
@@ -251,7 +252,7 @@ std::string figure_html(std::size_t machine, const std::string& caption, const s
         machine, xml_text(caption), xml_text(caption), drawn);
 }
 
-/// The diagrams of the machines, each followed by those of the operations that the machine can call.
+/// Returns the diagrams of the machines, each followed by the diagrams of the operations that the machine can call.
 std::string figures_of(const Exploration& space, const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
     std::string text;
     for (std::size_t i = 0; i < instances.size(); ++i) {
