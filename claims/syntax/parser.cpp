@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens, items, scopes and bodies. See parser.hpp.
+// Parses tokens, items, scopes and bodies. See parser.hpp.
 #include "claims/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ constexpr std::array advice{
     Advice{"the unit of the duration", "NUMBER @", "a duration has a unit: `3 s`, `150 ms`, `2 min`, `30 units`"},
 };
 
-/// Words that continue a claim after an event.
+/// True for words that continue a claim after an event.
 bool is_connective(std::string_view word) {
     constexpr std::array words{"or",     "and",   "with",   "only",  "leads",  "at",
                                "unless", "until", "before", "after", "within", "but"};
@@ -170,7 +170,7 @@ Import Parser::parse_import() {
     return result;
 }
 
-/// order COMPONENT : E first, E drops E. An event without a word continues the list before it.
+/// Parses `order COMPONENT : E first, E drops E`. An event without a word continues the list before it.
 Order Parser::parse_order() {
     Order order;
     const Span from = take_token().span;

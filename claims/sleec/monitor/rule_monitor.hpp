@@ -25,14 +25,14 @@ struct Violation {
 /// A value for each measure of the file; no value: unknown.
 using MeasureReadings = std::vector<std::optional<std::int64_t>>;
 
-/// All rules of a file except its assumptions. Memory is bounded by the limits of the rules. Throws NotDecided if a
-/// rule has too many alternatives.
+/// Monitors all rules of a file except its assumptions. Memory is bounded by the limits of the rules. The constructor
+/// throws NotDecided if a rule has too many alternatives.
 class RuleMonitor {
 public:
     RuleMonitor(const CheckedRules& rules, WithoutLimit without);
 
-    /// An event with the known values of the measures. A trigger is not followed if the rule's demand depends on
-    /// unknown values; `open_triggers` then contains the rule.
+    /// Observes an event with the known values of the measures. If a rule's demand depends on unknown values, its
+    /// trigger is not followed, and `open_triggers` contains the rule.
     void observe_event(std::size_t event, const MeasureReadings& values);
     /// Ends the current second and begins the next.
     void end_second();
@@ -43,7 +43,7 @@ public:
     /// Drops all open obligations, because the events in between are unknown.
     void drop_obligations() { open_.clear(); }
     [[nodiscard]] std::int64_t current_second() const { return now_; }
-    /// The open duties, with their progress.
+    /// Returns the open duties with their progress.
     [[nodiscard]] std::vector<std::pair<Obligation, Progress>> open_duties() const;
 
 private:

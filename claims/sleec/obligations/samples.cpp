@@ -43,7 +43,7 @@ bool has_measure(const Condition& condition) {
 
 /// The comparisons of numbers.
 struct Comparisons {
-    std::vector<std::set<std::int64_t>> constants;  ///< for each measure
+    std::vector<std::set<std::int64_t>> constants;  ///< index: the measure
     std::set<std::size_t> together;                 ///< measures compared with other measures
 };
 
@@ -63,7 +63,8 @@ void note_comparisons(const Condition& condition, Comparisons& result) {
     }
 }
 
-/// Values between and around these constants, `count` values in each interval that contains so many.
+/// Returns values between and around these constants: `count` values in each interval, or all values of a smaller
+/// interval.
 std::vector<std::int64_t> values_around(const std::set<std::int64_t>& constants, std::int64_t count) {
     if (constants.empty()) {
         std::vector<std::int64_t> any;

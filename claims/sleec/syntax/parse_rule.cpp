@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules, their triggers and responses. See parser.hpp.
+// Parses rules, their triggers and responses. See parser.hpp.
 #include <utility>
 
 #include "claims/sleec/syntax/parser.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens, blocks and definitions. See parser.hpp.
+// Parses tokens, blocks and definitions. See parser.hpp.
 #include "claims/sleec/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -91,7 +91,7 @@ void Parser::report_extension(Span span, std::string_view what) {
     diagnostics_.report(rules::extension, span, {std::string(what)});
 }
 
-/// Many rules of a file name values and states.
+/// Reports only the first use of an extension, because many rules of a file may name values and states.
 void Parser::report_first_extension(Span span, const std::string& what) {
     if (reported_.insert(what).second) report_extension(span, what);
 }
