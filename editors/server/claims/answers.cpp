@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The findings about claims files, and the answers to requests.
+// Reports the findings about claims files, and answers requests.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -91,7 +91,7 @@ std::string type_names(const claims::Channel& channel, const ir::System& system)
     return names.empty() ? "" : fmt::format("({})", fmt::join(names, ", "));
 }
 
-/// "`goTo(nat)`: operation of the platform of p::Patrol", one line for each component that has the name.
+/// Returns one line for each component that has the name: "`goTo(nat)`: operation of the platform of p::Patrol".
 std::string about_channels(const std::string& name, const ClaimedModels& models) {
     std::vector<std::string> lines;
     for (const claims::Component& component : models.components)
@@ -109,7 +109,7 @@ const claims::Claim* claim_named(const claims::ClaimFile& file, const std::strin
     return found == file.claims.end() ? nullptr : &*found;
 }
 
-/// The declarations of events and operations with this name.
+/// Returns the declarations of events and operations with this name.
 std::vector<Span> declarations_of(const std::string& name, const ir::System& system) {
     std::vector<Span> result;
     const auto add = [&](const auto& list) {
@@ -230,7 +230,7 @@ Json ClaimTexts::formatting(const Request& request) {
                             claims::format(document.sources, document.source, ignored), session_.client.encoding);
 }
 
-/// The names of claims can be renamed; names of events belong to the model.
+/// Accepts only names of claims, because names of events belong to the model.
 Json ClaimTexts::prepare_rename(const Request& request) {
     const ClaimWord word = claim_word_at(request.document, request.offset);
     const claims::Claim* const claim = claim_named(*reading_of(request.document).file, word.text);
