@@ -179,7 +179,7 @@ public:
     Model& operator=(Model&&) noexcept;
     ~Model();
 
-    /// The claims in the order of the assertion files, including claims with errors.
+    /// Returns the claims in the order of the assertion files, including claims with errors.
     [[nodiscard]] const std::vector<Claim>& claims() const;
     /// Decides all claims.
     [[nodiscard]] CheckResult check(const CheckOptions& = {});
@@ -207,9 +207,9 @@ struct LoadResult {
 /// Loads a model from the given texts. The only files that it reads are SLEEC rules that a claim names.
 [[nodiscard]] LoadResult load_texts(const std::vector<Text>& texts, const LoadOptions& = {});
 
-/// "holds", "fails", "inconclusive", "no check", "error", "not checked", "value".
+/// Returns "holds", "fails", "inconclusive", "no check", "error", "not checked" or "value".
 [[nodiscard]] std::string_view name_of(Verdict);
-/// The version of the library, "0.1.0".
+/// Returns the version of the library, "0.1.0".
 [[nodiscard]] std::string_view version();
 
 }  // namespace robochart::verify

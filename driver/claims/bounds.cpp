@@ -32,7 +32,7 @@ constexpr std::size_t most_states = 20'000;
 /// The functions that access the elements of a sequence.
 constexpr std::array<const char*, 3> of_sequences{"sequence_toolkit_extract", "sequence_toolkit_size", "access_"};
 
-/// The expression as written, on one line.
+/// Returns the expression as written, on one line.
 std::string expression_text(const diagnostics::SourceManager& sources, diagnostics::Span span) {
     return diagnostics::on_one_line(sources.source_text(span.source).substr(span.begin, span.end - span.begin));
 }
@@ -112,7 +112,7 @@ void add_components(const cspm::ExprPtr& expr, Processes& found) {
     for (const cspm::ExprPtr& part : expr->args) add_components(part, found);
 }
 
-/// The processes to explore for a claim. If a CSP block defines the process of the claim, the whole process is
+/// Returns the processes to explore for a claim. If a CSP block defines the process of the claim, the whole process is
 /// explored, because the block may restrict a component.
 Processes processes_of(const csp_emit::Obligation& claim) {
     Processes sides;
@@ -336,7 +336,7 @@ const std::vector<Ground>& ReachedBounds::comparisons() {
     return *comparisons_;
 }
 
-/// An operation may run in every component, so its entries belong to all claims.
+/// Returns the entries for the claim. An operation may run in every component, so its entries belong to all claims.
 Basis ReachedBounds::comparisons_in(const csp_emit::Obligation& claim) {
     const auto in_operation = [&](const Ground& ground) {
         return std::ranges::any_of(project_.system.machines, [&](const ir::Machine& machine) {

@@ -61,7 +61,7 @@ public:
     /// (semantics/data/derived_values.hpp). The same is true of times that are inputs: with x in 0..2, a wait for x is
     /// always short. The result is empty if the user chose the carriers (--range).
     [[nodiscard]] Basis comparisons_in(const csp_emit::Obligation& claim);
-    /// The basis for one process.
+    /// Returns the basis for one process.
     [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);
 
 private:

@@ -16,7 +16,7 @@ bool observes_values(const ir::Property& property) {
            property.kind == ir::PropertyKind::conforms || property.subject.kind == ir::ComponentKind::process;
 }
 
-/// The system without the claims that observe values.
+/// Returns the system without the claims that observe values.
 ir::System without_observers(ir::System system) {
     system.csp_blocks.clear();
     std::erase_if(system.properties, observes_values);

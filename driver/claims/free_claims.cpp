@@ -121,7 +121,7 @@ bool FreeClaims::answer(const Turn& turn, const csp_emit::Obligation& obligation
     return true;
 }
 
-/// No value if the claim cannot be decided with free data.
+/// Returns the same claim in the list with free data; no value if it cannot be decided with free data.
 std::optional<ListedClaim> FreeClaims::free_claim(const csp_emit::Obligation& obligation) {
     if (!data_.project().project) return std::nullopt;
     if (!free_)

@@ -69,8 +69,9 @@ void add_claims(TimeClaims& list, std::vector<WaitingClaim>& claims) {
             claim, [&list, claim](const Turn& turn) { return list.store(list.decide(turn, claim), claim); }));
 }
 
-/// A class of values has no probability, so probabilistic claims are decided for the values of carriers. The report
-/// states this if it also lists data that classes replace in other claims. `first`: the first claim of the project.
+/// Adds to probabilistic claims that they are decided for the values of carriers, because a class of values has no
+/// probability. Called only if the report also lists data that classes replace in other claims. `first` is the index of
+/// the first claim of the project.
 void note_carriers_of_probabilities(const SearchContext& search, std::size_t first, ClaimResults& results) {
     const auto edit = search.services.edit();
     for (std::size_t i = first; i < results.assertions.size(); ++i) {

@@ -74,7 +74,7 @@ Basis RowBasis::basis() const {
 
 namespace {
 
-/// A scalar value as text; "" for other values.
+/// Returns a scalar value as text; "" for other values.
 std::string scalar_text(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id,
                         const ir::Value& value) {
     const ir::Type& type = system.type(id);

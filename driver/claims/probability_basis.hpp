@@ -63,7 +63,7 @@ private:
 [[nodiscard]] Basis chosen_constants(const Project&, const ir::Instantiation&, const std::string& component,
                                      const probability::Row&);
 
-/// A description of the random paths; empty if all states were explored.
+/// Describes the random paths; empty if all states were explored.
 [[nodiscard]] Basis sampling_basis(const probability::Row&, std::uint64_t seed);
 
 }  // namespace robochart::driver

@@ -40,7 +40,7 @@ std::vector<Claim> claims_of(const Project& project, const SearchContext& search
     return result;
 }
 
-/// The answer for a row: an error has priority over a failure, and a failure over an unknown answer.
+/// Returns the answer for a row. An error has priority over a failure, and a failure over an unknown answer.
 Answer answer_of(const Row& row) {
     if (!row.error.empty()) return Answer::error;
     Answer answer = row.path ? Answer::computed : Answer::holds;
@@ -200,7 +200,7 @@ private:
         return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, options);
     }
 
-    /// The basis of a row. It must be computed before the encoding is replaced by that of the next row.
+    /// Returns the basis of a row. It must be computed before the encoding of the next row replaces the current one.
     [[nodiscard]] Basis basis_of(const Row& row) {
         const std::string subject = ir::qualified_name(subject_);
         Basis basis;

@@ -43,8 +43,8 @@ public:
     }
     void forget() { known_ = false; }
 
-    /// In the class model, one variable, the holder, stores the class of the term. This function shows the related
-    /// variables in its place. If the values of these variables are not in the holder's class, they are treated as
+    /// Shows the related variables in place of their holder. In the class model, the holder is the variable that stores
+    /// the class of the term. If the values of these variables are not in the holder's class, they are treated as
     /// unknown.
     void show(runs::Machine& machine) {
         const auto holder = std::ranges::find(machine.variables, related_.holder, &runs::Variable::name);

@@ -218,7 +218,8 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
     note_unreached_events(assertion, report);
 }
 
-/// In the timed semantics, a component that has terminated, or in which time has stopped, is not deadlocked.
+/// Adds entries to the basis of a claim of deadlock freedom. In the timed semantics, a component that has terminated,
+/// or in which time has stopped, is not deadlocked.
 void SecondLook::add_of_deadlock(const csp_emit::Obligation& obligation, AssertionReport& report) {
     const ExprPtr process = subject_of(obligation, "D__");
     if (!process) return;

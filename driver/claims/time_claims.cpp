@@ -81,7 +81,7 @@ Basis basis_of(const ClaimContext& context, const csp_emit::Obligation& obligati
     return basis;
 }
 
-/// The evaluation error with its place and its element of the model.
+/// Returns the evaluation error with its place and its element of the model.
 std::string failure_text(const Project& project, const cspm::EvaluationError& error) {
     return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
 }
@@ -201,7 +201,7 @@ constexpr std::uint64_t most_states_for_firing = 20'000;
 
 using Transitions = std::vector<csp_emit::TransitionInside>;
 
-/// The transitions of the question whose names are not in `elements`.
+/// Returns the transitions of the question whose names are not in `elements`.
 Transitions missing_transitions(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
     Transitions result;
     for (const csp_emit::TransitionInside& transition : question.transitions)
@@ -310,8 +310,8 @@ std::string cycles_of(const runs::Run& run) {
     return result;
 }
 
-/// A RoboSim component that is deadlock-free may still stop time. If it does, adds the inputs after which time stops to
-/// the report.
+/// Adds the inputs after which time stops to the report. A RoboSim component may stop time although it is
+/// deadlock-free.
 void note_time_stop(const ClaimContext& context, const csp_emit::Obligation& claim, AssertionReport& report) {
     csp_emit::Obligation obligation;
     obligation.kind = ir::PropertyKind::refines;
@@ -376,7 +376,7 @@ AssertionReport decide_premise(const ClaimContext& context, const csp_emit::Obli
     return report;
 }
 
-/// The name of the claim for --assertion; "" if it has none.
+/// Returns the name of the claim for --assertion; "" if it has none.
 std::string name_of(const ir::System& system, const csp_emit::Obligation& obligation) {
     if (!obligation.component.empty()) return core_name(obligation);
     return obligation.property == ir::no_id ? obligation.name : system.properties[obligation.property].name;
@@ -391,7 +391,7 @@ bool is_wanted(const ClaimContext& context, const csp_emit::Obligation& obligati
     return std::ranges::find(settings.core_names, name) != settings.core_names.end();
 }
 
-/// The transitions or states for which the obligation asks whether runs exercise them.
+/// Returns the transitions or states for which the obligation asks whether runs exercise them.
 std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     std::vector<std::string> result;
     if (obligation.firing)
@@ -402,7 +402,7 @@ std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     return result;
 }
 
-/// The declaration of the component of a core property: "state machine P::S".
+/// Returns the declaration of a component such as "state machine P::S".
 diagnostics::Span declaration_span(const ir::System& system, const std::string& component) {
     const std::string name = component.substr(component.rfind(' ') + 1);
     const auto is_it = [&](const std::string& package, const std::string& path) {

@@ -43,8 +43,8 @@ struct ClaimContext {
 /// Decides the premises of claims. A premise that several claims share is decided once.
 class Premises {
 public:
-    /// If the premise of a claim that holds does not hold, the claim becomes inconclusive and gets the run that refutes
-    /// the premise.
+    /// Decides the premise of a decided claim. If the premise does not hold, the claim becomes inconclusive and gets
+    /// the run that refutes the premise.
     void apply_premise(const ClaimContext& context, const csp_emit::Obligation& obligation, AssertionReport& report);
 
 private:

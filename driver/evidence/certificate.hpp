@@ -14,7 +14,7 @@
 
 namespace robochart::driver {
 
-/// The hexadecimal digest of a text; different texts have different digests.
+/// Returns the hexadecimal digest of a text; different texts have different digests.
 [[nodiscard]] std::string content_digest(std::string_view text);
 
 /// A decided claim and its answer: "A1 [timed] S is deadlock-free", "holds".
@@ -76,13 +76,14 @@ struct Certificate {
     Evidence evidence;
 };
 
-/// The certificate as text with a final line end, including a digest of its contents.
+/// Returns the certificate as text with a final line end, including a digest of its contents.
 [[nodiscard]] std::string certificate_text(const Certificate&);
 /// Reads a certificate strictly: all fields and no others, with the right types, and a correct digest. No value on
 /// failure; `error` contains the reason.
 [[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
 
-/// The differences between files, verdicts and claims, one line for each difference. Empty if both are equal.
+/// Returns the differences between files, verdicts and claims, one line for each difference. The result is empty if
+/// both are equal.
 [[nodiscard]] std::vector<std::string> evidence_differences(const Evidence& certified, const Evidence& found);
 
 }  // namespace robochart::driver

@@ -36,8 +36,8 @@ public:
         }
     }
 
-    /// The value of a constant; "" if it is not defined. If it is defined as another constant, the value of that
-    /// constant.
+    /// Returns the value of a constant; "" if it is not defined. If it is defined as another constant, returns the
+    /// value of the other constant.
     [[nodiscard]] std::string constant_value(std::string name) const {
         std::set<std::string> followed;
         for (auto at = values_.find(name); at != values_.end(); at = values_.find(name)) {

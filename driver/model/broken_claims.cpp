@@ -169,8 +169,8 @@ private:
     std::vector<Item> items_;
 };
 
-/// The index of a source in Model::files. The text of a block is a separate source with the path and the offsets of its
-/// file.
+/// Returns the index of a source in Model::files. The text of a block is a separate source with the path and the
+/// offsets of its file.
 std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId source) {
     const std::string& path = project.sources.path(source);
     const auto& files = project.model->files;
@@ -179,7 +179,7 @@ std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId
     return std::nullopt;
 }
 
-/// The places of the errors in each assertion file; empty if other files have errors.
+/// Returns the places of the errors in each assertion file; empty if other files have errors.
 std::map<std::size_t, std::vector<diagnostics::Span>> errors_in_claims(const Project& project) {
     std::map<std::size_t, std::vector<diagnostics::Span>> result;
     if (project.diagnostics.dropped_count() > 0) return {};

@@ -137,7 +137,7 @@ std::vector<std::string> model_inputs(const std::vector<std::string>& inputs) {
 
 namespace {
 
-/// The claims in assertion files.
+/// Reads the claims in assertion files.
 void read_claims_of_assertions(Project& project) {
     for (const auto& file : project.model->files) {
         std::vector<diagnostics::Span> places;

@@ -42,7 +42,7 @@ void read_ignored_claims(Project& project, const LoadSettings& settings);
 void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFile>>& files,
                         const std::vector<Part>& parts);
 
-/// The claims of the assertion files and of the claims files.
+/// Returns the claims of the assertion files and of the claims files.
 [[nodiscard]] std::vector<ClaimName> all_claims_of(const Project& project);
 
 /// Resolves the claims in the project's system, and checks that the finite instantiation contains the values of

@@ -37,7 +37,7 @@ const csp_emit::ComponentProcesses& processes_of(const CheckedClaim& claim, cons
 /// Adds the claims to a script.
 class ClaimScript {
 public:
-    /// `showing`: null for the script without shown facts.
+    /// `showing` is null for the script without shown facts.
     ClaimScript(Project& project, csp_emit::Emission& emission, const ShowingScript* showing)
         : project_(project), emission_(emission), showing_(showing) {}
 
@@ -107,9 +107,9 @@ private:
         return letters;
     }
 
-    /// If there are several machines, another machine may act after a step of a machine and before the machine shows
-    /// its facts. This delay does not affect claims about what holds whenever time passes, nor claims about the facts
-    /// of a single machine.
+    /// True if the claim reads its facts without delay. If there are several machines, another machine may act after a
+    /// step of a machine and before the machine shows its facts. This delay does not affect claims about what holds
+    /// whenever time passes, nor claims about the facts of a single machine.
     [[nodiscard]] static bool sees_exactly(const CheckedClaim& claim) {
         if (claim.facts.empty() || claim.component.machines.size() == 1) return true;
         const bool whole = claim.scope.kind == claims::ScopeKind::whole;

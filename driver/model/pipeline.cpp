@@ -468,7 +468,7 @@ OtherWords name_claims(Project& whole, Settings& settings) {
     return other;
 }
 
-/// The names of all core properties, in order, without duplicates.
+/// Returns the names of all core properties, in order, without duplicates.
 std::vector<std::string> core_names(const std::vector<Part>& parts, const Settings& settings) {
     std::vector<std::string> names;
     for (const Part& part : parts) {
@@ -524,7 +524,7 @@ bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>&
     });
 }
 
-/// A claim or CSP block with errors does not prevent the other claims from being decided. If some claims can be
+/// Separates claims and CSP blocks with errors from the others, which can still be decided. If some claims can be
 /// decided, a part with errors is divided into two (broken_claims.hpp). Scripts are written for the part without
 /// errors.
 void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) {

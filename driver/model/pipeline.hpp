@@ -41,7 +41,7 @@ void add_swarm(Settings&);
 /// carriers.
 [[nodiscard]] std::unique_ptr<Project> with_carriers_of_robotool(const Project&);
 
-/// The name of a core property for --assertion: "P::S: deadlock-free".
+/// Returns the name of a core property for --assertion: "P::S: deadlock-free".
 [[nodiscard]] std::string core_name(const csp_emit::Obligation&);
 
 /// True if the settings select the claim of the model with this name. If they select nothing, all claims are selected.

@@ -6,9 +6,9 @@
 
 namespace robochart::driver {
 
-/// The place where a component is declared.
+/// Returns the place where a component is declared.
 [[nodiscard]] diagnostics::Span declared_at(const ir::System&, const ir::ComponentRef&);
-/// The beginning of the model's first text: the place of findings about the model as a whole.
+/// Returns the beginning of the model's first text, which is the place of findings about the model as a whole.
 [[nodiscard]] diagnostics::Span model_place(const Project&);
 
 }  // namespace robochart::driver

@@ -60,7 +60,7 @@ struct ClaimName {
     std::string name;
     diagnostics::Span span;
 };
-/// The claims of a model's assertion files, in the order of the files.
+/// Returns the claims of a model's assertion files, in the order of the files.
 [[nodiscard]] std::vector<ClaimName> claims_of(const frontend::Model&);
 
 }  // namespace robochart::driver

@@ -20,7 +20,7 @@
 namespace robochart::driver {
 namespace {
 
-/// The message about a rule file with errors.
+/// Returns the message about a rule file with errors.
 std::string first_error(const LoadedRules& file) {
     for (const diagnostics::Diagnostic& finding : file.diagnostics.sorted_findings())
         if (finding.rule->severity == diagnostics::Severity::error)

@@ -16,9 +16,9 @@ struct ClaimSelection {
     std::vector<std::string> lost;    ///< words that select no claim
 };
 
-/// Each word is a name, a number (`2`, from 1), a range of numbers (`3..5`) or a pattern (`Safe*`). In a pattern, `*`
-/// matches any text and `?` matches one character. A word that equals a name is not a pattern. Without words, all
-/// claims are selected.
+/// Selects claims. Each word is a name, a number (`2`, from 1), a range of numbers (`3..5`) or a pattern (`Safe*`). In
+/// a pattern, `*` matches any text and `?` matches one character. A word that equals a name is not a pattern. Without
+/// words, all claims are selected.
 [[nodiscard]] ClaimSelection select_claims(const std::vector<std::string>& words,
                                            const std::vector<std::string>& names);
 

@@ -12,7 +12,7 @@ namespace robochart::driver {
 /// Returns 16 GiB, or three quarters of the memory of the machine or its control group, whichever is less.
 [[nodiscard]] std::uint64_t default_memory();
 
-/// The limits of a run that starts at the time of the call.
+/// Returns the limits of a run that starts at the time of the call.
 [[nodiscard]] diagnostics::Limits run_limits(const LimitSettings&);
 
 }  // namespace robochart::driver

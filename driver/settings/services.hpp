@@ -25,14 +25,14 @@ public:
     [[nodiscard]] virtual diagnostics::Budget& budget() = 0;
     /// Results of earlier runs; null if they are not used.
     [[nodiscard]] virtual diagnostics::Cache* cache() { return nullptr; }
-    /// A function that receives the progress of a search about this subject; empty if progress is not shown.
+    /// Returns a function that receives the progress of a search about this subject; empty if progress is not shown.
     [[nodiscard]] virtual std::function<void(const refine::Progress&)> progress(const std::string& /*subject*/) {
         return {};
     }
     /// True if an interrupted search can continue from stored states, so that a claim needs only one turn.
     [[nodiscard]] virtual bool continues_searches() const { return false; }
-    /// The strategy for searches in files or by several programs; null for searches in memory. All calls return the
-    /// same object.
+    /// Returns the strategy for searches in files or by several programs; null for searches in memory. All calls return
+    /// the same object.
     [[nodiscard]] virtual refine::LevelStrategy* level_searches() { return nullptr; }
     /// Locks results that another thread may print. The lock must be held while they are changed; a thread may hold it
     /// several times.
