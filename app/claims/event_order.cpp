@@ -65,7 +65,7 @@ std::optional<std::string> outside_of_controller(const ir::Module& module, std::
 /// Translates the orders of a component, of its parts, and of the machines and controllers that run in it.
 class Translator {
 public:
-    /// `component` describes what `ref` refers to.
+    /// `component` describes the component that `ref` refers to.
     Translator(const driver::Project& project, const ir::ComponentRef& ref, const claims::Component& component)
         : project_(project), ref_(ref), of_(component) {}
 

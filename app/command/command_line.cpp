@@ -137,7 +137,7 @@ Parsed help_of(const std::string& name) {
     return wrong_usage(fmt::format("there is no verb '{}'{}", name, did_you_mean(name, known)));
 }
 
-/// The result of the verb `help`.
+/// Returns the result of the verb `help`.
 Parsed answer_help(const Options& options) {
     switch (options.generate) {
         case Generated::none:

@@ -83,7 +83,7 @@ void show_findings(const driver::Project& project, const Options& options) {
 bool show_diagnostics(const driver::Project& project, const Options& options) {
     const bool good = is_acceptable(project, options.load);
     if (!good && (options.output.format != Format::text || !options.output.files.empty())) {
-        // The diagnostics are the result of the run, so a later limit must not print a second document.
+        // The diagnostics are the result of the run, so no second document must be printed at a later limit.
         options.run->finish();
         output_document(options, [&](Format format) { return refused_document(project, options, format); });
     }

@@ -21,7 +21,7 @@ struct VerbRow {
     const char* input;    ///< as in usage lines: "MODEL...", "[CODE...]"; "" if there is no input
 };
 
-/// The verbs in the order of the help.
+/// Returns the verbs in the order of the help.
 [[nodiscard]] const std::vector<VerbRow>& verb_table();
 /// Returns the name with its parent: "check", "emit csp".
 [[nodiscard]] std::string full_name(const VerbRow&);

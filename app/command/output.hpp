@@ -17,7 +17,7 @@ namespace robochart::app {
 /// Thrown if standard output cannot be written.
 class OutputError : public std::runtime_error {
 public:
-    /// `cause`: the system's error number.
+    /// `cause` is the system's error number.
     explicit OutputError(int cause);
     /// Reports the error on standard error, unless the reader has closed the pipe (`| head`). Returns the exit code.
     [[nodiscard]] Exit report_error() const;
@@ -69,7 +69,7 @@ void prepare_output();
 /// Wraps lines at spaces to this width and indents continuation lines. Colour sequences have the width 0. If `width` is
 /// 0, the text is unchanged.
 [[nodiscard]] std::string wrap_lines(std::string_view text, std::size_t width);
-/// The style of findings on standard error.
+/// Returns the style of findings on standard error.
 [[nodiscard]] diagnostics::TextStyle findings_style(const Options&);
 
 /// True if text for this file descriptor is coloured. By default, it is coloured if the descriptor is a terminal.

@@ -42,7 +42,8 @@ public:
     [[nodiscard]] diagnostics::Cache* cache() override { return cache_ ? &*cache_ : nullptr; }
     [[nodiscard]] std::function<void(const refine::Progress&)> progress(const std::string& subject) override;
     [[nodiscard]] bool continues_searches() const override;
-    /// Throws UsageError, storage::BadFile or storage::CannotWrite if the files cannot be used.
+    /// Returns the strategy for searches in files. Throws UsageError, storage::BadFile or storage::CannotWrite if the
+    /// files cannot be used.
     [[nodiscard]] refine::LevelStrategy* level_searches() override;
     /// Collects the record of this run, which every report contains.
     [[nodiscard]] RunRecorder& recorder() { return recorder_; }

@@ -107,7 +107,7 @@ private:
 
     mutable std::mutex mutex_;
     RunRecord record_;
-    const std::vector<std::string> range_options_;  ///< TYPE=LOW..HIGH
+    const std::vector<std::string> range_options_;  ///< the ranges TYPE=LOW..HIGH of the command line
 };
 
 /// Returns the record of the run with these options.

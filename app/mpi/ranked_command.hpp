@@ -10,10 +10,10 @@ namespace robochart::app {
 /// threads. Otherwise, one of these threads could receive a signal, and the system would end the program.
 void block_signals();
 
-/// Rank 0 runs the command; the other ranks serve its searches and ignore signals. Each rank searches with the number
-/// of threads given by `--threads`, or one by default. Returns the exit code. If an error occurs in one rank while
-/// others wait for it, all ranks are ended with the code of this error. Must be called by the thread that initialised
-/// MPI.
+/// Runs the command in rank 0. The other ranks serve its searches and ignore signals. Each rank searches with the
+/// number of threads given by `--threads`, or one by default. Returns the exit code. If an error occurs in one rank
+/// while others wait for it, all ranks are ended with the code of this error. Must be called by the thread that
+/// initialised MPI.
 int ranked_command(int argc, char** argv, refine::Exchange& exchange);
 
 }  // namespace robochart::app

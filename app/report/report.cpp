@@ -657,7 +657,7 @@ std::string data_lines(const Report& report) {
     return out;
 }
 
-/// If the report contains a word in place of a number of seconds, explains this word.
+/// Explains the word `known`, which may replace a number of seconds; "" if the report does not contain it.
 std::string legend_text(const Report& report, const Options& options) {
     const auto shown = [&](const driver::AssertionReport& a) {
         return !(a.core && a.core->information) &&

@@ -26,7 +26,7 @@ public:
 
     [[nodiscard]] Maker make_observer(Maker other) override;
     [[nodiscard]] std::string summary_lines() const override;
-    /// The number of monitored rules. A rule is monitored if the controller has its events.
+    /// Returns the number of monitored rules. A rule is monitored if the controller has the events of the rule.
     [[nodiscard]] std::size_t followed_count() const { return rules_.rules.size(); }
     /// True if a limit of the monitored rules is in seconds, and no time unit is declared.
     [[nodiscard]] bool counts_seconds() const { return driver::counts_seconds(rules_); }

@@ -37,7 +37,7 @@ public:
         : RunReader(std::move(path), report, options), project_(project), report_(report) {}
 
 private:
-    /// Only claims about the component of the log are followed.
+    /// Begins a run. Only claims about the component of the log are followed.
     void begin_run(const conformance::TraceHeader& header) override {
         conformance::compare_units(header, project_.unit);
         followed_.clear();

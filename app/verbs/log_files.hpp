@@ -66,7 +66,7 @@ protected:
     virtual void follow(const std::vector<conformance::TraceToken>& tokens, std::uint64_t line) = 0;
     virtual void end_run() = 0;
 
-    /// An entry for the current run.
+    /// Returns an entry for the current run.
     [[nodiscard]] LoggedRun entry(bool broken, std::uint64_t line) const {
         return {path_, name_, "", line, broken, {}};
     }
