@@ -87,7 +87,8 @@ private:
         return result;
     }
 
-    /// If the name denotes both a RoboChart and a RoboSim component, the claim is about the RoboChart component.
+    /// Removes the RoboSim components if the name denotes components of both notations. The claim is then about the
+    /// RoboChart component.
     static void prefer_robochart(std::vector<const Component*>& components) {
         const auto in_robosim = [](const Component* component) { return component->robosim; };
         if (!std::ranges::all_of(components, in_robosim)) std::erase_if(components, in_robosim);

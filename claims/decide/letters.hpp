@@ -36,7 +36,7 @@ void require_facts(const CheckedClaim& claim, const ir::System& system, const ir
 /// or the events by which a machine shows the same truth values of the claim's facts.
 struct Letter {
     Occurrence occurrence;
-    std::vector<FactValue> facts;     ///< if not empty, a machine shows these facts, and no event occurs
+    std::vector<FactValue> facts;     ///< if not empty, a machine shows these facts instead of an event
     std::vector<std::string> events;  ///< "P::M::goToCall.3"; events of the script are equal or continue it with '.'
     std::vector<cspm::ExprPtr> prefixes;  ///< the same events as expressions
     std::string name;                     ///< name of the event in the model

@@ -78,7 +78,7 @@ Pattern Parser::parse_pattern() {
     return pattern;
 }
 
-/// enter S, leave S
+/// Parses `enter S` or `leave S`.
 Pattern Parser::parse_change(Pattern pattern) {
     const Span from = peek().span;
     pattern.kind = is_at("enter") ? PatternKind::enter : PatternKind::leave;
@@ -88,7 +88,7 @@ Pattern Parser::parse_change(Pattern pattern) {
     return pattern;
 }
 
-/// any call [but E], any input [but E]; the exceptions reach to the end of the set.
+/// Parses `any call [but E]` or `any input [but E]`. The exceptions reach to the end of the set.
 Pattern Parser::parse_any(Pattern pattern) {
     const Span from = take_token().span;
     pattern.kind = is_at("call") ? PatternKind::any_call : PatternKind::any_input;

@@ -328,7 +328,7 @@ Body Parser::parse_body() {
     return result;
 }
 
-/// possible E, possible P
+/// Parses `possible E` or `possible P`.
 Body Parser::parse_possible(Body result) {
     take_token();
     result.kind = BodyKind::possible;
@@ -339,7 +339,7 @@ Body Parser::parse_possible(Body result) {
     return result;
 }
 
-/// P for at least D, P for at most D
+/// Parses `P for at least D` or `P for at most D`.
 Body Parser::parse_stay(Body result) {
     result.condition = parse_disjunction();
     expect("for");
@@ -350,7 +350,7 @@ Body Parser::parse_stay(Body result) {
     return result;
 }
 
-/// can take E [within D]
+/// Parses `can take E [within D]`.
 Body Parser::parse_readiness(Body result) {
     take_token();
     take_token();
@@ -360,7 +360,7 @@ Body Parser::parse_readiness(Body result) {
     return result;
 }
 
-/// at most N E [in any D]
+/// Parses `at most N E [in any D]`.
 Body Parser::parse_count(Body result) {
     result.kind = BodyKind::at_most;
     take_token();
@@ -377,7 +377,7 @@ Body Parser::parse_count(Body result) {
     return result;
 }
 
-/// E only [within D] after E
+/// Parses `E only [within D] after E`.
 Body Parser::parse_only(Body result) {
     take_token();
     result.kind = BodyKind::only_after;
@@ -390,7 +390,7 @@ Body Parser::parse_only(Body result) {
     return result;
 }
 
-/// E leads to E [within D] [unless E], E leads to E before E
+/// Parses `E leads to E [within D] [unless E]` or `E leads to E before E`.
 Body Parser::parse_leads(Body result) {
     take_token();
     take_token();
@@ -409,7 +409,7 @@ Body Parser::parse_leads(Body result) {
     return result;
 }
 
-/// E at least D after E [unless E], E at least every D
+/// Parses `E at least D after E [unless E]` or `E at least every D`.
 Body Parser::parse_at_least(Body result) {
     take_token();
     take_token();

@@ -48,8 +48,8 @@ struct Step {
     std::optional<Happening> happening;  ///< no value: the end of a second
 };
 
-/// The property as additional rules that open a duty at its occurrences. The rule for `exists` makes no demand, but its
-/// samples show whether the condition is true.
+/// Returns the rules with the property as additional rules, which open a duty at its occurrences. The rule for `exists`
+/// makes no demand, but its samples show whether the condition is true.
 CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& property) {
     CheckedRules result = rules;
     Duty nothing;

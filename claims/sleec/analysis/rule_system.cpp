@@ -278,8 +278,8 @@ void RuleSystem::add_tock_successor(const State& state, lts::SuccessorSink& sink
     add(next, tock_, sink);
 }
 
-/// If the same obligation is open twice, one of the two is sufficient: the older for a demand, the younger for a
-/// prohibition.
+/// True if the obligation `a` need not be stored because of `b`. If the same obligation is open twice, one of the two
+/// is sufficient: the older for a demand, the younger for a prohibition.
 bool RuleSystem::is_dominated(const OpenObligation& a, const OpenObligation& b) const {
     if (a.rule != b.rule || a.kind != b.kind) return false;
     const Obligation& obligation = question_.find_obligation(a);

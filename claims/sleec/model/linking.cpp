@@ -119,8 +119,8 @@ private:
         return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
     }
 
-    /// If no rule names values of the event, the event is linked to its whole channel. Otherwise each case is linked to
-    /// the letters with its values.
+    /// Links an event. If no rule names values of the event, it is linked to its whole channel. Otherwise, each case is
+    /// linked to the letters with its values.
     void link_cases(std::size_t declared, const std::string& channel, const std::string& model) {
         const bool whole = std::ranges::all_of(rules_.arguments[declared],
                                                [](const Argument& argument) { return argument.values.empty(); });

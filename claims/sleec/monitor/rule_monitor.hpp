@@ -38,7 +38,7 @@ public:
     void end_second();
     /// Returns the violations since the last call.
     [[nodiscard]] std::vector<Violation> take_violations();
-    /// The rules with a trigger that was not followed, without duplicates.
+    /// Returns the rules with a trigger that was not followed, without duplicates.
     [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return open_triggers_; }
     /// Drops all open obligations, because the events in between are unknown.
     void drop_obligations() { open_.clear(); }

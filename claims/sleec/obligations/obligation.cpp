@@ -104,11 +104,12 @@ std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation
     return obligation_of(rule.duty, values, without);
 }
 
-/// A disjunction implies another iff each of its parts does. "E occurs at a second of W" implies the other iff each
-/// second of W is in a window in which the other demands E. "E does not occur in W" implies the other iff the other
-/// forbids E in a window that is covered by W and the windows in which the other demands E. (Otherwise there is a
-/// history in which the part is true, no demanded event of the other occurs in its window, and each forbidden one
-/// does.) If several events may fulfil a demand, or are forbidden, this has to be true for each of them.
+/// A disjunction implies another one iff each of its parts does. The part "E occurs at a second of W" implies the other
+/// disjunction iff each second of W is in a window in which the other demands E. The part "E does not occur in W"
+/// implies the other disjunction iff the other forbids E in a window that is covered by W and the windows in which the
+/// other demands E. (Otherwise there is a history in which the part is true, no demanded event of the other occurs in
+/// its window, and each forbidden one does.) If several events may fulfil a demand, or are forbidden, this has to be
+/// true for each of them.
 bool implies(const Obligation& stronger, const Obligation& weaker) {
     if (always_fulfilled(weaker)) return true;
     for (const std::size_t event : stronger.ended_by)

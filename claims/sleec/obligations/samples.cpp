@@ -149,9 +149,9 @@ bool compares_measures(const CheckedRule& rule) {
     return found;
 }
 
-/// For integers, a valuation is characterised by the position of each number relative to the constants, and by the
-/// order of numbers that are compared with each other. Between two constants, n numbers have at most n different
-/// values, so n values are sufficient.
+/// Returns representative values of each measure. A valuation of integers is characterised by the position of each
+/// number relative to the constants, and by the order of numbers that are compared with each other. Between two
+/// constants, n numbers have at most n different values, so n values are sufficient.
 std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules& rules,
                                                              const std::vector<std::size_t>& rule_numbers) {
     const std::vector<Measure>& measures = rules.measures;

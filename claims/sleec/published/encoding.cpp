@@ -221,7 +221,7 @@ std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_
     const Tree stop = build::call(name("TimeStops"));
     const Tree tocks = build::set({build::name(tock)});
     Decls result{build::value(name("TimeStops"), build::stop())};
-    // In Before(P, d, Q), P may begin before d units; otherwise, the process behaves as Q at d.
+    // In Before(P, d, Q), P may begin before d units; at d, the process behaves as Q.
     result.push_back(build::function_decl(
         name("Before"), build::variables({"P", "d", "Q"}),
         build::let_({build::function_decl(

@@ -55,7 +55,7 @@ void Parser::warn_mixed(const ExprPtr& whole) {
     finding.fixes.push_back({{inner.source, inner.end, inner.end}, ")", "write the parentheses"});
 }
 
-/// `not` applies to one comparison.
+/// Parses an operand of `and` and `or`. `not` applies to one comparison.
 ExprPtr Parser::parse_term() {
     const Depth depth(*this);
     if (!is_at("not")) return parse_relation();
