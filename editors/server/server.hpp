@@ -22,7 +22,7 @@ namespace robochart::lsp {
 
 class Server {
 public:
-    /// `send` sends a message, as JSON text, to the editor.
+    /// `send` is called to send a message, as JSON text, to the editor.
     explicit Server(std::function<void(const std::string&)> send);
 
     /// The interruption that the reader thread uses to report messages while the server works.

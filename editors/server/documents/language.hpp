@@ -73,7 +73,7 @@ public:
     /// Returns the findings of one document, for editors that request them.
     [[nodiscard]] Json pull_findings(const Request&);
 
-    // Requests; null if the language does not support them
+    // Requests. The functions return null if the language does not support the request.
     [[nodiscard]] virtual Json code_actions(const Request&) { return {}; }
     [[nodiscard]] virtual Json code_lenses(const Request&) { return {}; }
     [[nodiscard]] virtual Json completion(const Request&) { return {}; }
