@@ -282,7 +282,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     const bool of_the_program = words.empty() || words[0] == "-h" || words[0] == "--help" || words[0] == "--version";
     if (!of_the_program) {
         if (std::optional<Parsed> wrong = unknown_verb(words)) return *wrong;
-        // `robochart-verify MODEL` means `robochart-verify verify MODEL`; the first word decides.
+        // If the first word is not a verb, `robochart-verify MODEL` means `robochart-verify verify MODEL`.
         if (!names_a_verb(words.front())) words.insert(words.begin(), "verify");
     }
     std::ranges::reverse(words);

@@ -148,10 +148,10 @@ bool Run::write_kept_files() {
     return all;
 }
 
-/// Ends the run when a limit is reached. After a memory limit the run continues if enough memory is freed, and the
-/// grace period starts again whenever memory shrinks. A verb that already prints its result may finish after a limit,
-/// but after a signal it has only `longest_printing`. If this thread cannot allocate memory, it prints a fixed message
-/// and ends the program.
+/// Ends the run when a limit is reached. After a memory limit, the run continues if enough memory is freed, and the
+/// grace period starts again whenever the used memory shrinks. A verb that is already printing its result may finish
+/// after a limit, but only for `longest_printing` after a signal. If this thread cannot allocate memory, it prints a
+/// fixed message and ends the program.
 void Run::watch_limits() {
     bool beyond = false;
     Clock::time_point since;

@@ -23,7 +23,7 @@ struct RuleName {
 struct RuleConflict {
     std::vector<std::size_t> rules;
     bool decided = true;
-    std::string reason;                  ///< not decided: the reason
+    std::string reason;                  ///< if not decided, the reason
     std::vector<std::string> lines;      ///< decided: describes the situation
     std::vector<std::string> suggested;  ///< "R1 ... unless near": changes that together remove the conflict
     std::uint64_t states = 0;
@@ -33,7 +33,7 @@ struct RuleConflict {
 struct RedundantRule {
     std::size_t rule = 0;
     std::vector<std::size_t> by;
-    std::string reason = {};  ///< not decided: the reason
+    std::string reason = {};  ///< if not decided, the reason
 };
 
 /// A concern that the rules allow, a purpose that they exclude, or a property that is not decided.
@@ -41,7 +41,7 @@ struct RuleProperty {
     bool concern = false;
     std::string name, place;
     bool decided = true;
-    std::string reason;                 ///< not decided: the reason
+    std::string reason;                 ///< if not decided, the reason
     std::vector<std::string> lines;     ///< for a concern: a history that satisfies the rules
     std::vector<std::size_t> excluded;  ///< for a purpose: the rules that exclude it together
 };

@@ -91,7 +91,7 @@ std::optional<Fraction> evaluate(const Condition& condition, const Operands& ope
         }
         case Operand::variable:
         case Operand::of_model:
-            break;  // only in the condition of a fact
+            break;  // occurs only in the condition of a fact
     }
     return std::nullopt;
 }

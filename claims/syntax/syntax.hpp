@@ -80,7 +80,7 @@ struct Pattern {
     Direction direction = Direction::none;
     Name name;
     std::optional<std::vector<ExprPtr>> arguments;  ///< no value without parentheses; `_` and variables are names
-    ExprPtr condition;                              ///< null: none
+    ExprPtr condition;                              ///< null if there is none
     std::vector<Pattern> but;                       ///< any_call, any_input: the exceptions
     Span span;
 };

@@ -14,7 +14,7 @@
 
 namespace robochart::driver {
 
-/// The largest number of states that are explored.
+/// Processes with more states than this are skipped.
 inline constexpr std::size_t most_states_for_second_look = 50'000;
 
 /// Explores the processes of one script.

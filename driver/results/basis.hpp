@@ -25,7 +25,7 @@ enum class GroundKind : unsigned char {
     never_asked,    ///< no run reaches the subject of the claim
     constant,       ///< probabilistic: the value of a constant was chosen, because nothing sets it
     sampling,       ///< probabilistic: random paths were used, and not all states were explored
-    carriers,       ///< the claim is about the values of carriers; other claims are about classes of values
+    carriers,       ///< the claim is about values of carriers, not about classes of values
 };
 
 /// Returns the name of the kind in data formats: "guard", "noTime".

@@ -47,7 +47,7 @@ struct CoreReport {
     std::vector<std::string> unexercised = {};  ///< the elements that no run exercises
 };
 
-/// This text is printed with a counterexample that may not be a shortest one.
+/// Printed with a counterexample that may not be a shortest one.
 inline constexpr const char* not_shortest = "the run may not be a shortest one: a limit ended the search for it";
 
 /// The model that decided a probabilistic assertion, and the result for each combination of values of its constants.

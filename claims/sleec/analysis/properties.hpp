@@ -24,7 +24,7 @@ struct Happening {
 struct PropertyAnswer {
     Answer possible = Answer::no;
     std::vector<Happening> history;  ///< possible: such a history; then no event occurs, or its end repeats
-    std::string reason;              ///< not decided: the reason
+    std::string reason;              ///< if not decided, the reason
     std::uint64_t states = 0;
 };
 
@@ -37,7 +37,7 @@ struct PropertyAnswer {
 struct Implication {
     Answer implied = Answer::no;
     std::vector<std::size_t> by;  ///< implied: the rules that imply it, all of which are needed
-    std::string reason;           ///< not decided: the reason
+    std::string reason;           ///< if not decided, the reason
 };
 /// Decides whether the other rules imply `rule`. If the other rules exclude its trigger, it is not reported as implied,
 /// because the conflict is reported instead.

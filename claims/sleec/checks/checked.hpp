@@ -64,7 +64,7 @@ using DutyPtr = std::shared_ptr<const Duty>;
 struct CheckedDefeater {
     Condition condition;              ///< condition on measures; unused if `event` is set
     std::optional<EventCases> event;  ///< extension: this event ends the duty
-    DutyPtr duty;                     ///< null: no duty is left
+    DutyPtr duty;                     ///< null if no duty is left
     const Defeater* written = nullptr;
 };
 
@@ -75,7 +75,7 @@ struct Duty {
     std::int64_t from = 0;           ///< steps
     std::optional<std::int64_t> to;  ///< steps, inclusive; no value: no limit. If below `from`, the duty is empty
     bool measured = false;           ///< a measure determines the limit: `from` and `to` are unknown
-    DutyPtr otherwise;               ///< null: none
+    DutyPtr otherwise;               ///< null if there is none
     std::vector<CheckedDefeater> defeaters;
     const Response* written = nullptr;
 };
@@ -92,7 +92,7 @@ struct CheckedProperty {
     bool exists = false;
     EventCases trigger;
     std::optional<Condition> condition;
-    DutyPtr duty;                      ///< null: no demand
+    DutyPtr duty;                      ///< null if there is no demand
     std::optional<EventCases> during;  ///< `while` this event
     std::optional<Condition> during_condition;
     const Property* written = nullptr;

@@ -63,7 +63,7 @@ ExprKind kind_of(Op op) {
     return ExprKind::not_equal;
 }
 
-/// All names of timing events are reserved; names of rule events have a prefix.
+/// Names of timing events cannot clash with names of rule events, which have a prefix.
 constexpr const char* tock = "tock";
 constexpr const char* other_tock = "tock'";
 

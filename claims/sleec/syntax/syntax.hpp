@@ -87,7 +87,7 @@ using ResponsePtr = std::shared_ptr<const Response>;
 struct Defeater {
     ExprPtr condition;               ///< null if `event` has a value
     std::optional<EventName> event;  ///< an event with arguments; a single name is a condition until it is resolved
-    ResponsePtr response;            ///< null: no duty is left
+    ResponsePtr response;            ///< null if no duty is left
     Span span;
 };
 
@@ -95,9 +95,9 @@ struct Defeater {
 struct Response {
     bool negated = false;
     EventName event;
-    std::shared_ptr<const Limit> limit;  ///< null: none
+    std::shared_ptr<const Limit> limit;  ///< null if there is none
     bool eventually = false;             ///< the keyword is written (LEGOS)
-    ResponsePtr otherwise;               ///< null: none
+    ResponsePtr otherwise;               ///< null if there is none
     bool written_else = false;           ///< `else` instead of `otherwise` (LEGOS)
     std::vector<Defeater> defeaters;
     bool braced = false;  ///< the response is in braces
@@ -107,7 +107,7 @@ struct Response {
 /// `EVENT [and condition]`.
 struct Trigger {
     EventName event;
-    ExprPtr condition;  ///< null: none
+    ExprPtr condition;  ///< null if there is none
 };
 
 struct Event {

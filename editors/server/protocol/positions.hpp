@@ -41,7 +41,7 @@ private:
     struct Line {
         std::uint32_t begin = 0, end = 0;  ///< bounds of the line, without its line end
     };
-    /// The number of code units before a character, about every 1,000 bytes.
+    /// A character and the number of code units before it. There is about one mark per 1,000 bytes.
     struct Mark {
         std::uint32_t offset = 0;
         std::uint32_t units = 0;
