@@ -58,11 +58,11 @@ enum class Semantics { both, untimed, timed };
 
 /// The limits of one check. A claim that a limit leaves undecided is inconclusive.
 struct Limits {
-    double seconds = 0;              ///< limit of the whole check; 0: no limit
-    double seconds_of_claim = 0;     ///< limit of each claim; 0: no limit, and claims take turns
-    std::uint64_t memory_bytes = 0;  ///< of the program; 0: 16 GiB, but at most three quarters of the machine's memory
+    double seconds = 0;                  ///< limit of the whole check; 0: no limit
+    double seconds_of_claim = 0;         ///< limit of each claim; 0: no limit, and claims take turns
+    std::uint64_t memory_bytes = 0;      ///< limit; 0: 16 GiB or three quarters of the machine's, whichever is less
     std::uint64_t states = 500'000'000;  ///< limit of each search
-    unsigned threads = 0;                ///< of each search; 0: one thread for each core
+    unsigned threads = 0;                ///< threads of each search; 0: one for each core
 };
 
 /// Selects the claims to decide, and sets the limits.
@@ -160,7 +160,7 @@ struct CheckResult {
     std::string limit;              ///< why the check ended early; "" if it did not
 
     /// True if at least one claim holds or has a value, all other claims hold, have a value or have no check in this
-    /// semantics, and no finding is an error. Informative answers do not count.
+    /// semantics, and no finding is an error. Informative answers are ignored.
     [[nodiscard]] bool all_hold() const;
 };
 

@@ -152,7 +152,7 @@ private:
     std::string name_;  ///< name of the page's subject
     PartDiagrams diagrams_;
     std::vector<std::pair<std::string, std::string>> machines_;  ///< instances and definitions of the current run
-    durations::Unit unit_;                                       ///< of the current run
+    durations::Unit unit_;                                       ///< time unit of the current run
     bool timed_ = false;                                         ///< true if the current run is timed
     std::string out_;
 };

@@ -192,7 +192,7 @@ private:
     std::uint32_t trial_;
     std::unique_ptr<simulation::Trace> other_;
     std::vector<std::size_t> first_;   ///< the first robot of each kind, and the number of robots
-    std::vector<std::size_t> broken_;  ///< by claim: number of robots that broke it
+    std::vector<std::size_t> broken_;  ///< for each claim, the number of robots that broke it
     std::vector<Robot> robots_;
     simulation::Objection objection_;
 };

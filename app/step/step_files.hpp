@@ -30,7 +30,7 @@ enum class LogRole { none, input, output, tock, termination };
 [[nodiscard]] std::optional<std::string> log_word(const runs::Event&, std::string name, const Stepped&);
 /// RoboSim: the result of reading a register.
 struct ReadRegister {
-    std::string name;    ///< of the event or variable
+    std::string name;    ///< name of the event or variable
     std::string value;   ///< the value in a full register; "" if the register is empty or has no value
     bool event = false;  ///< true for the register of an event, false for that of a variable
 };

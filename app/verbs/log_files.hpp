@@ -15,7 +15,7 @@
 
 namespace robochart::app {
 
-/// Returns the files, and the logs in the folders, in order. Adds an error if there are none.
+/// Returns the files, and the logs in the folders, in order. Adds an error if there are no logs.
 [[nodiscard]] std::vector<std::string> log_files(const Options& options, std::vector<std::string>& errors);
 
 /// Opens the log, records it as an input, counts it in `logs` and passes it to `read`. Adds an error if the file cannot

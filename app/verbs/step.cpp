@@ -353,7 +353,7 @@ bool Console::take_hidden_steps() {
     return true;
 }
 
-/// Takes steps as long as there is no choice, then lets the time units of the cycle pass.
+/// Takes steps while only one step is possible, then lets the time units of the cycle pass.
 void Console::end_cycle() {
     for (std::size_t steps = 0; steps < most_settled; ++steps) {
         options_.run->budget().poll();

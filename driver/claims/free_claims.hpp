@@ -64,7 +64,7 @@ private:
     FreeData& data_;
     SearchContext search_;
     csp_emit::Time time_;
-    ClaimResults results_;  ///< of the claims with free data
+    ClaimResults results_;  ///< the results of the claims with free data
     std::unique_ptr<TimeClaims> free_;
     std::map<std::string, Answer> tried_;  ///< the answers with free data, by title
 };

@@ -52,7 +52,7 @@ private:
     const csp_emit::Emission& emission_;
     cspm::Session& session_;
     SearchContext search_;
-    std::map<std::string, Seen> seen_;  ///< by the text of the process
+    std::map<std::string, Seen> seen_;  ///< key: the text of the process
 };
 
 }  // namespace robochart::driver

@@ -43,7 +43,7 @@ struct Evidence {
     using Files = std::vector<std::pair<std::string, std::string>>;
 
     std::string scenario;         ///< its name
-    std::string scenario_digest;  ///< of the scenario's text
+    std::string scenario_digest;  ///< digest of the scenario's text
     Files model;                  ///< the files of the model and their digests, sorted
     std::vector<DecidedItem> assertions;
     std::vector<DecidedItem> conformance;

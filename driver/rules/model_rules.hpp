@@ -64,7 +64,7 @@ private:
     const csp_emit::ComponentProcesses& component_;
     SearchContext search_;
     sleec::ComponentLinking linking_;
-    std::unique_ptr<csp_emit::Emission> showing_;  ///< machines show the states of the rules; null if there are none
+    std::unique_ptr<csp_emit::Emission> showing_;  ///< shows the states of the rules; null if the rules name no states
 };
 
 }  // namespace robochart::driver

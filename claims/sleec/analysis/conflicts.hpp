@@ -52,7 +52,7 @@ struct AnalysisOptions {
 };
 
 /// Decides whether there is a conflict in which all of these rules take part. A single rule may be in conflict if it
-/// has several triggers. `judged` is ascending.
+/// has several triggers. The numbers in `judged` are ascending.
 [[nodiscard]] ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t> judged,
                                            const AnalysisOptions& options);
 /// Searches the smallest conflicting sets of rules that are not assumptions. A duty with n alternatives at one last

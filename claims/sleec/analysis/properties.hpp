@@ -23,7 +23,7 @@ struct Happening {
 /// The answer to the question whether some history in which the property occurs obeys all rules.
 struct PropertyAnswer {
     Answer possible = Answer::no;
-    std::vector<Happening> history;  ///< possible: such a history; then no event occurs, or its end repeats
+    std::vector<Happening> history;  ///< if possible, this history; then no event occurs, or its end repeats
     std::string reason;              ///< if not decided, the reason
     std::uint64_t states = 0;
 };

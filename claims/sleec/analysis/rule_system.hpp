@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines a transition system of all histories in which some rules are obeyed as long as possible. A state has no
-// successors if one rule demands an event now at the latest, and the other rules forbid this event. Therefore, the
+// Defines a transition system of all histories in which some rules are obeyed until they are in conflict. A state has
+// no successors if one rule demands an event now at the latest, and the other rules forbid this event. Therefore, the
 // search for deadlocks finds conflicts.
 #pragma once
 
@@ -31,8 +31,8 @@ struct OpenObligation {
 
 /// The subject of a question: rules, their possible obligations, and the relevant events.
 struct Question {
-    std::vector<std::size_t> rules;                    ///< numbers in the file: judged rules, then assumptions
-    std::size_t judged = 0;                            ///< number of judged rules
+    std::vector<std::size_t> rules;  ///< numbers in the file: judged rules, then assumptions
+    std::size_t judged = 0;          ///< number of rules that are judged, that is, must take part in a conflict
     std::vector<std::vector<Obligation>> obligations;  ///< for each rule, the obligations of all samples
     std::vector<Occurrence> occurrences;               ///< for each event that a rule names
 

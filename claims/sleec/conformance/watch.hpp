@@ -78,7 +78,7 @@ public:
     /// Returns the component in parallel with the rule, with all their events.
     [[nodiscard]] cspm::ExprPtr checked_process() const { return parallel_process(); }
     static constexpr const char* waiting = "sleec_waiting";
-    /// True if the rule uses a measure that the component reads. A state is not such a measure.
+    /// True if the rule uses a measure that the component reads; states are ignored.
     [[nodiscard]] bool reads_measures() const;
 
     [[nodiscard]] const std::vector<Obligation>& obligations() const { return obligations_; }

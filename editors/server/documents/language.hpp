@@ -23,7 +23,7 @@ struct TextDocument {
     SourceManager& sources;  ///< contains the text
     std::string uri;         ///< the URI as the editor writes it
     std::string path;
-    std::string language_id;  ///< from the editor; may be empty
+    std::string language_id;  ///< identifier from the editor; may be empty
     SourceId source = SourceId::none;
     bool open = true;  ///< true if the text is that of the editor
     std::optional<std::int64_t> version;
