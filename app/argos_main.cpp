@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// robochart-simulate-argos SCENARIO: the verb `simulate` in ARGoS.
+// The program robochart-simulate-argos SCENARIO, which runs the verb `simulate` in ARGoS.
 #include "app/verbs/simulate.hpp"
 #include "simulation/adapters/argos/argos_stage.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// robochart-simulate-enki SCENARIO: the verb `simulate` in Enki. This program is linked with Enki and is therefore
-// GPL-2+.
+// The program robochart-simulate-enki SCENARIO, which runs the verb `simulate` in Enki. It is linked with Enki and is
+// therefore GPL-2+.
 #include "app/verbs/simulate.hpp"
 #include "simulation/adapters/enki/enki_stage.hpp"
 

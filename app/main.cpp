@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// robochart-verify: the command.
+// The entry point of the command robochart-verify.
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 

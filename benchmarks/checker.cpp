@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// States per second of the checker on dining philosophers: evaluation, operational semantics and search together.
+// Measures the states per second of the checker on dining philosophers: evaluation, operational semantics and search
+// together.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -11,7 +12,8 @@ namespace {
 
 using namespace robochart;
 
-/// N philosophers and N forks; the last philosopher takes the other fork first, so there is no deadlock.
+/// Returns a script with N philosophers and N forks. The last philosopher takes the other fork first, so there is no
+/// deadlock.
 std::string philosophers(int n) {
     const std::string last = std::to_string(n - 1);
     const std::string count = std::to_string(n);

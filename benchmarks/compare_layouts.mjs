@@ -2,8 +2,8 @@
 // Compares crossings in our diagrams with those in ELK's layered layout of the same boxes and labels: `node
 // compare_layouts.mjs ELK < PICTURES`. ELK is the file elk.bundled.js of the npm package elkjs; PICTURES is the output
 // of `benchmark_diagrams --pictures`. ELK lays out each level alone, as we do, downwards and to the right, with and
-// without the order of the text; the layout with the fewest crossings counts. One function counts the crossings of both
-// on their lines. Exits with 1 if our diagrams have more crossings.
+// without the order of the text. The layout with the fewest crossings is compared. One function counts the crossings in
+// both diagrams. Exits with 1 if our diagrams have more crossings.
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nanoseconds of one control cycle of the generated controllers, with events that are unknown at compile time.
+// Measures the nanoseconds of one control cycle of the generated controllers, with events that are unknown at compile
+// time.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace {
 
-/// A fixed stream of pseudo-random bits (xorshift64), so that every run has the same events.
+/// Returns a fixed stream of pseudo-random bits (xorshift64), so that every run has the same events.
 std::array<std::uint8_t, 4096> stream() {
     std::array<std::uint8_t, 4096> bits{};
     std::uint64_t x = 88172645463325252ULL;

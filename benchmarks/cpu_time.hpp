@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock of benchmarks that compare two variants in one thread.
+// Declares the clock of benchmarks that compare two variants in one thread.
 #pragma once
 
 namespace robochart {
 
-/// CPU time of the calling thread in seconds.
+/// Returns the CPU time of the calling thread in seconds.
 [[nodiscard]] double thread_cpu_seconds();
 
 }  // namespace robochart

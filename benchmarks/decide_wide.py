@@ -35,7 +35,7 @@ Right(i) = think.i -> sit.i -> take.i.i -> take.i.right(i) -> eat.i -> return.i.
 Greedy = (|| i : Seats @ [Actions(i)] Right(i)) [| {|take, return|} |] (||| f : Seats @ Fork(f))
 """
 ORDER = "Turns(i) = start.i -> Turns(next(i))\n"
-# Specifications with visible events in all parts, so that few steps are confluent.
+# In these specifications, all parts have visible events, so few steps are confluent.
 LOOSE_ORDER = ORDER + "Loose = Turns(0) ||| RUN({|finish|})\nLate = Turns(0) ||| CHAOS({|finish|})\n"
 FIRST_CELL = """
 First(k) = count.0.k -> First((k + 1) % 4)

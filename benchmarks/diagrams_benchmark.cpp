@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time to draw diagrams. benchmark_diagrams MODEL... loads each file or folder alone and draws every component as
-// SVG, ten times; the minimum counts. The targets: 95 % below 5 ms, all below 50 ms. With --pictures as the first
-// argument it prints the diagrams as JSON, one per line: boxes and lines with their places, for compare_layouts.mjs.
+// Measures the time to draw diagrams. benchmark_diagrams MODEL... loads each file or folder separately and draws every
+// component as SVG ten times; the minimum is the result. The targets are 95 % below 5 ms and all below 50 ms. If the
+// first argument is --pictures, it prints the diagrams as JSON for compare_layouts.mjs, one per line: boxes and lines
+// with their places.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ void draw_all(const std::string& path,
     for (const diagrams::Subject& subject : diagrams::find_subjects(*model, sources)) look(subject, elements);
 }
 
-/// -1 if there is no box.
+/// Returns the number of a box; -1 if there is no box.
 nlohmann::json box_number(std::size_t box) {
     return box == diagrams::none ? nlohmann::json(-1) : nlohmann::json(box);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The front end on generated projects of 5,000 to 50,000 lines: loading, parsing, resolution with all rules. Measures
-// lines per second, bytes of memory per line, and whether time grows linearly.
+// Measures the front end on generated projects of 5,000 to 50,000 lines: loading, parsing, and resolution with all
+// rules. Prints lines per second, bytes of memory per line, and whether time grows linearly.
 //
 //   benchmark_frontend [--seed N] [--runs N]
 //
@@ -25,14 +25,14 @@ namespace {
 namespace fs = std::filesystem;
 using namespace robochart;
 
-/// CPU time, which other programs on the machine affect little.
+/// Returns the CPU time, on which other programs on the machine have little effect.
 double seconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The number of bytes that are currently allocated.
+/// Returns the number of bytes that are currently allocated.
 double allocated() {
     const struct mallinfo2 info = mallinfo2();
     return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
@@ -41,7 +41,7 @@ double allocated() {
 struct Reading {
     double parse = 0;
     double resolve = 0;
-    double load = 0;  ///< everything, from files
+    double load = 0;  ///< time of the whole front end, from files
     double memory = 0;
 };
 
@@ -69,7 +69,7 @@ void measure_load(const std::string& folder, Reading& reading) {
     std::exit(70);
 }
 
-/// The minimum of several runs, because disturbances only make a run longer.
+/// Returns the minimum of several runs, because disturbances only make a run longer.
 Reading measure(const random_models::Project& project, std::size_t runs) {
     const fs::path folder = fs::temp_directory_path() / ("robochart_benchmark_" + std::to_string(std::time(nullptr)));
     if (!random_models::write(project, folder.string()).empty()) std::exit(70);
@@ -87,8 +87,8 @@ Reading measure(const random_models::Project& project, std::size_t runs) {
     return best;
 }
 
-/// One series of sizes with one or many files each; returns the factor between the times per line of the last and the
-/// first size.
+/// Measures one series of sizes with one or many files each. Returns the time per line of the last size, divided by
+/// that of the first size.
 double series(std::uint64_t seed, std::size_t runs, bool many_files) {
     double first = 0;
     double last = 0;

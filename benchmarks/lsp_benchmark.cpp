@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The waiting time of an editor after a keystroke in a project of 20 files: from `didChange` to the diagnostics, and
-// for a completion after that. Prints medians and percentiles of wall time and, for shared machines, of CPU time.
+// Measures the waiting time of an editor after a keystroke in a project of 20 files: from `didChange` to the
+// diagnostics, and then for a completion. Prints medians and percentiles of wall time and, for shared machines, of CPU
+// time.
 //   benchmark_lsp [FILES] [KEYSTROKES] [MACHINES]
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ std::string interface(int file) {
         file);
 }
 
-/// A machine of ten states that uses its own file and the previous one.
+/// Returns a machine of ten states that uses declarations of its own file and of the previous file.
 std::string machine(int file, int before, int number) {
     std::string out = fmt::format(
         "\nstm M{0}_{2} {{\n  requires Vars{0} requires Ops{0} uses Evs{0}\n  var mode : Mode{1}\n  var n : nat = 0\n"
@@ -48,7 +49,7 @@ std::string machine(int file, int before, int number) {
     return out + "  transition end { from S9 to f condition flag" + std::to_string(file) + " }\n}\n";
 }
 
-/// Two machines give a file of about 270 lines.
+/// Returns the text of a file. With two machines, it has about 270 lines.
 std::string text_of(int file, int files, int machines) {
     const int before = (file + files - 1) % files;
     std::string out = fmt::format("package p{}\nimport p{}::*\n", file, before) + interface(file);
@@ -116,8 +117,8 @@ Json place(std::int64_t line, std::int64_t column) {
     return Json::object({{"line", line}, {"character", column}});
 }
 
-/// A text that is typed letter by letter at the end of the line with the given start, in one file after the other, and
-/// deleted again.
+/// A text that is typed letter by letter at the end of the line that begins with the given text, and then deleted
+/// again. This is done in one file after the other.
 struct Typing {
     std::string line_begin;
     std::string typed;

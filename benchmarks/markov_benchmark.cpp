@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time to solve Markov models: benchmark_markov [SIDE]. The model is a random walk on a torus of SIDE x SIDE cells
-// (default 1,000): one strongly connected component. Each step may end the walk in one of two ways. In the decision
-// process the scheduler also chooses whether to move along rows or along columns.
+// Measures the time to solve Markov models: benchmark_markov [SIDE]. The model is a random walk on a torus of SIDE x
+// SIDE cells (default 1,000), which is one strongly connected component. Each step may end the walk in one of two ways.
+// In the decision process the scheduler also chooses whether to move along rows or along columns.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ private:
     [[nodiscard]] State cell(State row, State column) const { return row % side_ * side_ + column % side_; }
 
     void add_cell(State row, State column) {
-        // 2^-8 to an end: a win in the first rows, a loss in the others.
+        // The walk ends with probability 2^-8: with a win in the first half of the rows, with a loss in the others.
         const Branch end{row < side_ / 2 ? won() : lost(), 3};
         const State left = cell(row, column + side_ - 1);
         const State right = cell(row, column + 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost that a monitor for every controller adds to a step: benchmark_monitor ROUNDS SCENARIO... The same trial runs
-// twice in one thread, with and without monitors, in alternating blocks of steps, measured by the thread's CPU clock.
-// The tables are built once beforehand. Median: of the ratios of all pairs of blocks. Minimum: the minimum of all
-// rounds for every block, summed.
+// Measures the cost that a monitor for every controller adds to a step: benchmark_monitor ROUNDS SCENARIO... The same
+// trial runs twice in one thread, with and without monitors, in alternating blocks of steps, measured by the thread's
+// CPU clock. The tables are built once beforehand. The median is that of the ratios of all pairs of blocks. The minimum
+// is the sum over all blocks of the minimum of all rounds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ bool run_round(const Study& study, const simulation::Scenario& scenario, std::ui
     measured.plain.resize(blocks, 1e300);
     measured.watched.resize(blocks, 1e300);
     for (std::size_t b = 0; b < blocks; ++b) {
-        // The same work twice; the order alternates from block to block and from round to round.
+        // Both sides do the same work. Their order alternates from block to block and from round to round.
         const bool order = first == (b % 2 == 0);
         const double once = (order ? plain : watched).run(block);
         const double again = (order ? watched : plain).run(block);

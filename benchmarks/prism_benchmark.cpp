@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exploration of PRISM models: states per second, and bytes per state beyond the matrix, for a chain whose modules act
-// independently, for a decision process whose modules synchronise, and for a given model: benchmark_prism [MODEL.prism
-// [CONSTANTS]]. Also steps per second of random paths. The recorded figures of other checkers are below.
+// Measures the exploration of PRISM models: benchmark_prism [MODEL.prism [CONSTANTS]]. Prints states per second, bytes
+// per state beyond the matrix, and steps per second of random paths. The models are a chain whose modules act
+// independently, a decision process whose modules synchronise, and a given model. The recorded figures of other
+// checkers are below.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -23,7 +24,8 @@ namespace {
 
 using namespace robochart;
 
-/// Counters that count to 9; each step keeps the value with probability one half: 10^counters states.
+/// Returns a model of counters that count to 9. Each step keeps the value with probability one half. The model has
+/// 10^counters states.
 std::string counters(int count) {
     std::string text = "dtmc\n";
     for (int i = 0; i < count; ++i) {
@@ -34,7 +36,8 @@ std::string counters(int count) {
     return text;
 }
 
-/// Neighbours in a ring move together, or one of them moves back: 4^parts states.
+/// Returns a model with a ring of parts. Neighbours move together, or one of them moves back. The model has 4^parts
+/// states.
 std::string ring(int parts) {
     std::string text = "mdp\n";
     for (int i = 0; i < parts; ++i) {
@@ -55,8 +58,8 @@ std::optional<prism::CheckedModel> checked(const std::string& text) {
     return prism::check_model(file, diagnostics);
 }
 
-/// The additional memory of the process per state while there is a state space, without its matrix (targets, numbers,
-/// rows).
+/// Returns the additional memory of the process per state while a state space exists, without its matrix (targets,
+/// numbers, rows).
 double bytes_beyond_matrix(const prism::CheckedModel& model, const prism::Values& constants) {
     diagnostics::Diagnostics diagnostics;
     const std::uint64_t before = diagnostics::resident_bytes();
@@ -136,8 +139,8 @@ Given given(const std::string& path, const std::string& constants) {
     return result;
 }
 
-/// For RoboTool's model of the UVC case study (2,315,432 states, 9,644,662 transitions): its published logs. Storm: the
-/// logs of the Quantitative Verification Benchmark Set.
+/// Prints recorded figures. Those for RoboTool's model of the UVC case study (2,315,432 states, 9,644,662 transitions)
+/// are from its published logs. Those of Storm are from the logs of the Quantitative Verification Benchmark Set.
 void print_recorded() {
     fmt::print(
         "\nrecorded of others, states/s: PRISM 4.6, hybrid engine, UVC case study 48 thousand; Storm 1.2.4, sparse "

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Measures level searches with threads as ranks, on wide state spaces and on the narrow one of the high-voltage
-# controller (docs/scale.md): critical path, bytes, messages and memory, with one or several ranks per program. Prints
-# the prediction of the model. benchmarks/run.py calls it: benchmarks/ranks.sh PROGRAM BENCHMARK FOLDER
+# Measures level searches with threads as ranks, on wide state spaces and on the narrow state space of the high-voltage
+# controller (docs/scale.md): critical path, bytes, messages and memory, with one or several ranks per program. Also
+# prints the times that a model predicts. benchmarks/run.py calls it: benchmarks/ranks.sh PROGRAM BENCHMARK FOLDER
 set -euo pipefail
 program="$1"
 benchmark="$2"

@@ -9,7 +9,7 @@
 //                                                   this number; the minimum over TIMES searches counts for each rank
 //                                                   and level
 //
-// RANKS: a number of programs with one rank each, or PROGRAMSxTHREADS: programs with this number of ranks each.
+// RANKS is a number of programs with one rank each, or PROGRAMSxTHREADS for programs with THREADS ranks each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,9 +40,9 @@ struct Measured {
     double critical = 0;  ///< seconds: sum over levels of the maximal time of a rank
     double total = 0;     ///< seconds: sum over all ranks
     std::uint64_t crossing = 0, bytes = 0, messages = 0, rounds = 0;
-    std::uint64_t most_bytes = 0;              ///< maximum over programs: rows and messages
-    std::vector<Width> widths;                 ///< by one rank
-    std::vector<std::vector<double>> seconds;  ///< by rank, then level
+    std::uint64_t most_bytes = 0;              ///< rows and messages; maximum over programs
+    std::vector<Width> widths;                 ///< measured with one rank
+    std::vector<std::vector<double>> seconds;  ///< indices: rank, then level
 };
 
 /// Programs with this number of ranks each.
@@ -105,7 +105,7 @@ Measured measure(const lts::TransitionSystem& system, const Count& count) {
     return result;
 }
 
-/// Other programs on the machine can only increase a time, so the minimum for each rank and level counts.
+/// Takes the minimum for each rank and level, because other programs on the machine can only increase a time.
 void take_least(Measured& least, const Measured& again) {
     for (std::size_t rank = 0; rank < least.seconds.size(); ++rank)
         for (std::size_t level = 0; level < least.seconds[rank].size(); ++level)
@@ -123,7 +123,7 @@ void sum_up(Measured& measured) {
     }
 }
 
-/// The expected maximum of P independent Poisson loads with this mean.
+/// Returns the expected maximum of `ranks` independent Poisson loads with this mean.
 double largest_load(double mean, unsigned ranks) {
     if (ranks == 1) return mean;
     const double spread = std::sqrt(mean);
@@ -142,10 +142,11 @@ double largest_load(double mean, unsigned ranks) {
 struct Network {
     const char* name;
     double latency;         ///< seconds
-    double seconds_a_byte;  ///< of a rank's share; 0: messages take no time
+    double seconds_a_byte;  ///< for a rank's share; 0: messages take no time
 };
 
-/// Seconds of all levels: the rank with the most work, its messages, and the collective operations.
+/// Returns the predicted seconds of all levels: the rank with the most work, its messages, and the collective
+/// operations.
 double predicted(const std::vector<Width>& widths, unsigned ranks, double seconds_a_transition, double bytes_a_row,
                  const Network& network, double scale = 1) {
     double sum = 0;

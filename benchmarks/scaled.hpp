@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scenario with more robots at the same density, for benchmarks of growing size.
+// Makes scenarios with more robots at the same density, for benchmarks of growing size.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robot steps per CPU second of the embedded world and of Enki, including the generated controller, in one run:
-// benchmark_simulation SCENARIO. The scenario's robots are replaced by 20, 100 and 1,000 at the same density.
+// Measures the robot steps per CPU second of the embedded world and of Enki in one run, including the generated
+// controller: benchmark_simulation SCENARIO. The scenario's robots are replaced by 20, 100 and 1,000 at the same
+// density.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 using namespace robochart;
 
-/// The maximum of three runs; 0 if the simulator cannot run.
+/// Returns the maximum of three runs; 0 if the simulator cannot run.
 double robot_steps_a_second(const app::Simulation& loaded, const simulation::Scenario& scenario, const rc_drive& drive,
                             const simulation::StageMaker& make) {
     double best = 0;

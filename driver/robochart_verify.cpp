@@ -66,7 +66,7 @@ Finding plain(const diagnostics::SourceManager& sources, const diagnostics::Diag
             place_of(sources, finding.span)};
 }
 
-/// A finding about the settings, without a place.
+/// Returns a finding about the settings, without a place.
 Finding wrong_setting(std::string message) {
     return {Severity::error, std::string(driver::rules::bad_option.code), std::move(message), std::nullopt};
 }
@@ -241,7 +241,7 @@ std::string guarded(std::vector<Finding>& findings, const std::function<void()>&
     return "";
 }
 
-/// The findings of a part that were not known before.
+/// Adds the findings of a part that were not known before.
 void add_new(const Project& project, const std::vector<diagnostics::Diagnostic>& known,
              std::vector<Finding>& findings) {
     for (const diagnostics::Diagnostic& found : project.diagnostics.sorted_findings()) {

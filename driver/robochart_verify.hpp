@@ -32,22 +32,22 @@ enum class Severity { note, warning, error };
 /// An error, a warning or a note about a model or a setting.
 struct Finding {
     Severity severity = Severity::error;
-    std::string code;            ///< of the rule, "STM6"; `robochart-verify explain CODE` explains it
+    std::string code;            ///< the code of the rule, such as "STM6"; see `robochart-verify explain CODE`
     std::string message;         ///< one sentence
-    std::optional<Place> place;  ///< no value: the finding is not about a text
+    std::optional<Place> place;  ///< no value if the finding has no place in a text
 };
 
 /// A file whose text is given instead of read.
 struct Text {
-    std::string path;  ///< for messages; it ends in .rct for a model and in .assertions for claims
+    std::string path;  ///< for messages; ends in .rct for a model, in .assertions for claims
     std::string text;
 };
 
 /// How a model is loaded and made finite.
 struct LoadOptions {
     std::map<std::string, std::string> constants;  ///< values of constants by name; literals as in the model
-    /// The least and the greatest value of `nat`, `int` and `real`; also the lengths of sequences (`Seq`), the times of
-    /// clocks (`clock`) and the elements of given types (`given`).
+    /// The least and the greatest value of `nat`, `int` and `real`. The names `Seq`, `clock` and `given` set the bounds
+    /// of lengths of sequences, times of clocks and elements of given types.
     std::map<std::string, std::pair<std::int64_t, std::int64_t>> ranges;
     std::vector<std::string> allowed_warnings;  ///< codes of warnings that are not reported
     bool deny_warnings = false;                 ///< a model with warnings cannot be checked
@@ -58,11 +58,11 @@ enum class Semantics { both, untimed, timed };
 
 /// The limits of one check. A claim that a limit leaves undecided is inconclusive.
 struct Limits {
-    double seconds = 0;              ///< of the whole check; 0: none
-    double seconds_of_claim = 0;     ///< of each claim; 0: none, claims then take turns
-    std::uint64_t memory_bytes = 0;  ///< of the program; 0: 16 GiB, or three quarters of the machine's if that is less
-    std::uint64_t states = 500'000'000;  ///< of each search
-    unsigned threads = 0;                ///< of each search; 0: one for each core
+    double seconds = 0;                  ///< limit of the whole check; 0: no limit
+    double seconds_of_claim = 0;         ///< limit of each claim; 0: no limit, and claims take turns
+    std::uint64_t memory_bytes = 0;      ///< limit; 0: 16 GiB or three quarters of the machine's, whichever is less
+    std::uint64_t states = 500'000'000;  ///< limit of each search
+    unsigned threads = 0;                ///< threads of each search; 0: one for each core
 };
 
 /// Selects the claims to decide, and sets the limits.
@@ -72,7 +72,7 @@ struct CheckOptions {
     /// the model makes no claims.
     bool core_properties = false;
     Limits limits;
-    std::function<bool()> interrupted;  ///< polled by the thread that checks; true ends the check. May be empty
+    std::function<bool()> interrupted;  ///< polled by the checking thread; true ends the check. May be empty
 };
 
 /// The answer to a claim.
@@ -97,18 +97,18 @@ struct Machine {
     std::string component;            ///< the instance, "P::M::ctrl_ref0::stm_ref0"
     std::string text;                 ///< "in S1"
     std::vector<std::string> states;  ///< the active states, outermost first
-    std::vector<Variable> variables;  ///< its values that may change and may still be read
+    std::vector<Variable> variables;  ///< the variables that may change and may still be read
 };
 
 /// One step of a run.
 struct Step {
     std::string text;                  ///< "input a with 3", "t0: i -> S1", "time passes"
     std::string component;             ///< the instance that performs it; "" if there is none
-    std::string element;               ///< of the model: the transition, statement or event; "" if unknown
-    std::vector<std::string> values;   ///< that are communicated
+    std::string element;               ///< the transition, statement or event of the model; "" if unknown
+    std::vector<std::string> values;   ///< the communicated values
     bool hidden = false;               ///< true if the environment cannot observe the step
     bool notable = true;               ///< false if Answer::text omits the step, for example the entry of a state
-    std::optional<std::int64_t> time;  ///< time units before it; only in the timed semantics
+    std::optional<std::int64_t> time;  ///< the time units that have passed before the step; only in the timed semantics
     std::optional<Place> place;
     std::vector<Machine> machines;  ///< all machines after the step
 };
@@ -126,16 +126,16 @@ struct Run {
 struct Ground {
     std::string text;
     std::optional<Place> place;
-    std::string remedy;  ///< what to do if it is not intended; "" if there is nothing to do
+    std::string remedy;  ///< how to avoid this dependence; "" if there is no remedy
 };
 
 /// A value that a probabilistic claim asks for, or the truth of its bound.
 struct Value {
     std::map<std::string, std::string> constants;  ///< the values of its constants
-    std::optional<bool> truth;                     ///< of a bound; no value: a number is asked for
-    double low = 0, high = 0;                      ///< the number is between them
+    std::optional<bool> truth;                     ///< truth of a bound; no value if the claim asks for a number
+    double low = 0, high = 0;                      ///< bounds of the number
     bool sampled = false;                          ///< estimated by random paths, so it is not certain
-    std::string unknown;                           ///< why it is not known; "" if it is
+    std::string unknown;                           ///< why the value is not known; "" if it is known
 };
 
 /// The answer to one claim in one semantics.
@@ -143,11 +143,11 @@ struct Answer {
     std::string title;  ///< "A1 [timed] Pump is deadlock-free"
     std::optional<Place> place;
     Verdict verdict = Verdict::inconclusive;
-    std::string reason;         ///< of a verdict that needs one; "" otherwise
+    std::string reason;         ///< reason of a verdict that needs one; "" otherwise
     std::vector<Ground> basis;  ///< facts on which the verdict depends besides the model
     std::optional<Run> run;     ///< the counterexample of a claim that fails
-    std::string text;           ///< the same run as lines for people; "" if there is none
-    std::vector<Value> values;  ///< of a probabilistic claim
+    std::string text;           ///< the same run as readable lines; "" if there is no run
+    std::vector<Value> values;  ///< the values that a probabilistic claim asks for
     bool information = false;   ///< true for an informative core property: none of its answers indicates a problem
     std::uint64_t states = 0, transitions = 0;
     double seconds = 0;
@@ -156,11 +156,11 @@ struct Answer {
 /// The result of a check.
 struct CheckResult {
     std::vector<Answer> answers;
-    std::vector<Finding> findings;  ///< of the check itself, for example about unknown claims
+    std::vector<Finding> findings;  ///< findings about the check itself, for example about unknown claims
     std::string limit;              ///< why the check ended early; "" if it did not
 
     /// True if at least one claim holds or has a value, all other claims hold, have a value or have no check in this
-    /// semantics, and no finding is an error. Informative answers do not count.
+    /// semantics, and no finding is an error. Informative answers are ignored.
     [[nodiscard]] bool all_hold() const;
 };
 
@@ -179,12 +179,12 @@ public:
     Model& operator=(Model&&) noexcept;
     ~Model();
 
-    /// The claims in the order of the assertion files, including claims with errors.
+    /// Returns the claims in the order of the assertion files, including claims with errors.
     [[nodiscard]] const std::vector<Claim>& claims() const;
     /// Decides all claims.
     [[nodiscard]] CheckResult check(const CheckOptions& = {});
     /// Decides the claims that the words select: a name, a number (from 1), a range of numbers (`3..5`) or a pattern
-    /// (`Safe*`). If a word selects no claim, there is a finding and nothing is decided.
+    /// (`Safe*`). If a word selects no claim, the result contains a finding and no claim is decided.
     [[nodiscard]] CheckResult check(const std::vector<std::string>& words, const CheckOptions& = {});
 
 private:
@@ -196,20 +196,20 @@ private:
 
 /// A model, and the findings of loading it.
 struct LoadResult {
-    std::optional<Model> model;     ///< no value: the errors among the findings leave nothing to check
+    std::optional<Model> model;     ///< no value if errors prevent every check
     std::vector<Finding> findings;  ///< errors and warnings, by file and place
-    std::string text;               ///< the findings with excerpts of the files, for people; "" if there are none
+    std::string text;               ///< the findings as readable text, with excerpts of the files; "" if there are none
 };
 
 /// Loads files or folders in the same way as the command. With a model, it also loads the files in the model's folder
 /// that the model needs. Files that do not belong together are checked as separate models.
 [[nodiscard]] LoadResult load_files(const std::vector<std::string>& paths, const LoadOptions& = {});
-/// Loads a model whose texts are given; no other file is read, except rules in SLEEC that a claim names.
+/// Loads a model from the given texts. The only files that it reads are SLEEC rules that a claim names.
 [[nodiscard]] LoadResult load_texts(const std::vector<Text>& texts, const LoadOptions& = {});
 
-/// "holds", "fails", "inconclusive", "no check", "error", "not checked", "value".
+/// Returns "holds", "fails", "inconclusive", "no check", "error", "not checked" or "value".
 [[nodiscard]] std::string_view name_of(Verdict);
-/// The version of the library, "0.1.0".
+/// Returns the version of the library, "0.1.0".
 [[nodiscard]] std::string_view version();
 
 }  // namespace robochart::verify

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commit from which the program was built. scripts/cmake/commit.cmake writes the definition in every build.
+// Declares the commit from which the program was built. scripts/cmake/commit.cmake generates the definition in every
+// build.
 #pragma once
 
 #include <string>
@@ -11,15 +12,15 @@ namespace robochart::app {
 /// A commit of the repository.
 struct Commit {
     std::string id;         ///< 40 hexadecimal digits; "" if it is unknown
-    bool modified = false;  ///< tracked files differed from the commit
+    bool modified = false;  ///< true if tracked files differed from the commit
 };
 
-/// The commit of this build. It is unknown if the sources are neither a git checkout nor an archive written by `git
-/// archive`.
+/// Returns the commit of this build. It is unknown if the sources are neither a git checkout nor an archive made by
+/// `git archive`.
 [[nodiscard]] Commit built_commit();
-/// "commit 0123456789ab", "commit 0123456789ab with local changes", "unknown commit".
+/// Returns "commit 0123456789ab", "commit 0123456789ab with local changes" or "unknown commit".
 [[nodiscard]] std::string commit_text(const Commit&);
-/// The program in reports: name, version and commit.
+/// Describes the program in reports: name, version and commit.
 [[nodiscard]] diagnostics::Json program_json(const std::string& version, const Commit&);
 
 }  // namespace robochart::app

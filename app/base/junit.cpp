@@ -13,7 +13,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// Keeps line ends, and writes characters that XML does not allow as escapes.
+/// Escapes the text for XML. Line ends remain, and characters that XML does not allow become visible escapes.
 std::string xml_lines(const std::string& text) {
     std::istringstream lines(text);
     std::string out;
@@ -36,8 +36,8 @@ std::string case_element(const JunitCase& test_case) {
     return out + ">\n" + outcome_element(test_case) + "    </testcase>\n";
 }
 
-/// The element `system-out` with the texts of the cases that passed. Some schemas allow this element only after all
-/// cases.
+/// Returns the element `system-out` with the texts of the cases that passed. Some schemas allow this element only after
+/// all cases.
 std::string passed_output(const std::vector<JunitCase>& cases) {
     std::string text;
     for (const JunitCase& test_case : cases)

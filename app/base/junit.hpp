@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results as JUnit XML, which continuous integration servers read. The elements are testsuites, testsuite and testcase
-// with failure, error or skipped. Only attributes that the schemas of all servers define are written.
+// Writes results as JUnit XML, which continuous integration servers read. The elements are testsuites, testsuite and
+// testcase with failure, error or skipped. All attributes are defined in the schemas of all servers.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ struct JunitCase {
     enum class Kind : unsigned char {
         passed,
         failed,   ///< the claim is false
-        error,    ///< the answer is unknown; servers count it as not passed
+        error,    ///< the answer is unknown; for servers, the case did not pass
         skipped,  ///< no decision was necessary
     };
-    std::string group;  ///< servers sort by it: a file, or "conformance"
+    std::string group;  ///< the group by which servers sort: a file, or "conformance"
     std::string name;
     Kind kind = Kind::passed;
     std::string message;  ///< one line; "" if it passed
@@ -24,7 +24,7 @@ struct JunitCase {
     double seconds = 0;
 };
 
-/// A document with one suite of this name.
+/// Returns a document with one suite of this name.
 [[nodiscard]] std::string junit_document(const std::string& suite, const std::vector<JunitCase>& cases);
 
 }  // namespace robochart::app

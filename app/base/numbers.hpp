@@ -8,9 +8,9 @@
 
 namespace robochart::app {
 
-/// 1,234,567.
+/// Returns the number as "1,234,567".
 [[nodiscard]] std::string with_commas(std::uint64_t value);
-/// "1 run", "1,024 runs".
+/// Returns "1 run", "1,024 runs".
 [[nodiscard]] std::string count_text(std::uint64_t count, std::string_view noun);
 
 }  // namespace robochart::app

@@ -21,7 +21,7 @@ namespace {
 using claims::CheckedOrder;
 using Drop = cpp_emit::EventOrder::Drop;
 
-/// The number of a received event among the inputs of the component, by its name at the boundary.
+/// Returns the index of the input that has this name at the boundary of the component.
 std::optional<std::uint32_t> input_named(const cpp_emit::Component& component, const std::string& outside) {
     std::uint32_t number = 0;
     for (const cpp_emit::EventPort& port : component.events) {
@@ -32,7 +32,7 @@ std::optional<std::uint32_t> input_named(const cpp_emit::Component& component, c
     return std::nullopt;
 }
 
-/// Two events at the boundary; no value unless the platform raises both.
+/// Returns the two events as inputs of the component; no value unless the platform raises both.
 std::optional<Drop> drop_of(const cpp_emit::Component& component, const std::optional<std::string>& event,
                             const std::optional<std::string>& dropped) {
     if (!event || !dropped) return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<Drop> drop_of(const cpp_emit::Component& component, const std::opt
     return Drop{*event, *dropped, *one, *other};
 }
 
-/// The event at the boundary that a machine in the component receives as `name`.
+/// Returns the event at the boundary that a machine in the component receives as `name`.
 std::optional<std::string> outside_of_part(const cpp_emit::Component& component, const cpp_emit::Part& part,
                                            const std::string& name) {
     const auto use = std::ranges::find(part.events, name, &cpp_emit::EventUse::name);
@@ -49,13 +49,13 @@ std::optional<std::string> outside_of_part(const cpp_emit::Component& component,
     return component.events[use->ports.front()].outside;
 }
 
-/// The event at the boundary of a module that its controller receives as `name`.
+/// Returns the event at the boundary of a module that the controller receives as `name`.
 std::optional<std::string> outside_of_controller(const ir::Module& module, std::uint32_t controller,
                                                  const std::string& name) {
     const auto is_controller = [&](const ir::ConnectionEnd& end) {
         return end.kind == ir::EndKind::part && end.part == controller && end.event == name;
     };
-    for (const ir::Connection& connection : module.connections) {  // an event may go either way
+    for (const ir::Connection& connection : module.connections) {  // a connection may go in either direction
         if (is_controller(connection.to) && connection.from.kind == ir::EndKind::self) return connection.from.event;
         if (is_controller(connection.from) && connection.to.kind == ir::EndKind::self) return connection.to.event;
     }
@@ -65,11 +65,11 @@ std::optional<std::string> outside_of_controller(const ir::Module& module, std::
 /// Translates the orders of a component, of its parts, and of the machines and controllers that run in it.
 class Translator {
 public:
-    /// `component` describes what `ref` refers to.
+    /// `component` describes the component that `ref` refers to.
     Translator(const driver::Project& project, const ir::ComponentRef& ref, const claims::Component& component)
         : project_(project), ref_(ref), of_(component) {}
 
-    /// True if the order is about the component or about something in it.
+    /// True if the order is about the component or a part of it.
     [[nodiscard]] bool is_about(const CheckedOrder& order) const {
         const std::string& path = order.component.path;
         if (path == of_.path || path.starts_with(of_.path + "::")) return true;
@@ -90,7 +90,8 @@ public:
         }
     }
 
-    /// The drop for each part that the order is about. Empty if the platform does not raise both events.
+    /// Returns the drop for each part that the order is about. The result is empty if the platform does not raise both
+    /// events.
     [[nodiscard]] std::vector<Drop> drops_of(const CheckedOrder& order, const CheckedOrder::Drop& drop,
                                              const cpp_emit::Component& plan) const {
         std::vector<Drop> result;
@@ -121,7 +122,7 @@ private:
         return plan.units[part.root].id == order.component.machines.front().machine;
     }
 
-    /// The controllers of this module that the order is about.
+    /// Returns the controllers of this module that the order is about.
     [[nodiscard]] std::vector<std::uint32_t> instances_of(const CheckedOrder& order) const {
         std::vector<std::uint32_t> result;
         if (ref_.kind != ir::ComponentKind::module) return result;
@@ -131,8 +132,8 @@ private:
         return result;
     }
 
-    /// The name of a controller as the order writes it: the path of the controller in this module, or the name of its
-    /// definition.
+    /// Returns the name that the order uses for a controller: the path of the controller in this module, or the name of
+    /// its definition.
     [[nodiscard]] std::string controller_path(const ir::ControllerInstance& instance, const CheckedOrder& order) const {
         if (order.component.part) return of_.path + "::" + instance.name;
         const ir::Controller& controller = project_.system.controller(instance.controller);

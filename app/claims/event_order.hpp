@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of the events in a cycle, as the claims files of a project declare it. Generated code, monitors and the
-// comparison with logs use it.
+// Determines the order of the events in a cycle from the claims files of a project. Generated code, monitors and the
+// comparison with logs use this order.
 #pragma once
 
 #include "cpp_emit/plan/options.hpp"
@@ -10,14 +10,15 @@
 
 namespace robochart::app {
 
-/// The orders of the component, of its parts, and of the machines and controllers that run in it. Reports orders that
-/// drop events which the platform of the component does not raise.
+/// Returns the orders of the component, of its parts, and of the machines and controllers that run in it. Reports an
+/// order if it drops an event that the platform of the component does not raise.
 [[nodiscard]] cpp_emit::EventOrder event_order(driver::Project& project, const ir::ComponentRef& component);
 
-/// The events that the orders of the component with this path drop, for claims along its runs.
+/// Returns the events that the declared orders of the component with this path drop. Claims are followed along its runs
+/// with these drops.
 [[nodiscard]] driver::FollowedClaim::Drops dropped_events(const driver::Project& project, const std::string& path);
 
-/// The order as text: "estop first; reset dropped where estop is raised"; "" if there is no order.
+/// Returns the order as text: "estop first; reset dropped where estop is raised"; "" if there is no order.
 [[nodiscard]] std::string order_text(const ir::System& system, const cpp_emit::EventOrder& order);
 
 }  // namespace robochart::app

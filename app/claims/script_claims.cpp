@@ -18,7 +18,7 @@ driver::Answer answer(refine::Outcome outcome) {
     return outcome == refine::Outcome::fails ? driver::Answer::fails : driver::Answer::inconclusive;
 }
 
-/// The innermost calls, and the number of the other calls. A large number shows a deep recursion.
+/// Returns the innermost calls and the number of further calls. A large number shows a deep recursion.
 std::string call_stack(const std::vector<std::string>& frames) {
     constexpr std::size_t shown = 8;
     std::string text;
@@ -28,7 +28,7 @@ std::string call_stack(const std::vector<std::string>& frames) {
     return text;
 }
 
-/// The result of an assertion before its check begins.
+/// Returns the result of an assertion before its check begins.
 ScriptAssertion undecided_assertion(const cspm::Decl& assertion, std::size_t number,
                                     const diagnostics::SourceManager& sources) {
     ScriptAssertion result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides the assertions of a CSPM script in turns, as `verify` decides the claims of a model.
+// Decides the assertions of a CSPM script in turns, in the same way as `verify` decides the claims of a model.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ private:
     std::vector<std::string> events_;
 };
 
-/// The assertion without its keyword, as printed.
+/// Returns the assertion as printed, without its keyword.
 [[nodiscard]] std::string text_of(const cspm::Decl& assertion);
 
 /// The selected assertions of one script.
@@ -37,13 +37,13 @@ class ScriptClaims {
 public:
     /// Called once for each assertion, when its result is final.
     using Show = std::function<void(const ScriptAssertion&, const process::EventTable&)>;
-    /// Adds the assertions with the indices `chosen` to both reports as undecided. Every change of the reports holds
+    /// Adds the assertions with the indices `chosen` to both reports as undecided. The reports are changed only under
     /// the lock Run::edit. The object stores references to all arguments except `chosen`.
     ScriptClaims(OpenScript&, const LoadedScript&, const Options&, const std::vector<std::size_t>& chosen,
                  ScriptReport&, Report&);
 
-    /// Decides all assertions. If a limit of the run is reached, nothing is thrown; the results of undecided assertions
-    /// state the limit.
+    /// Decides all assertions. Does not throw if a limit of the run is reached; the results of undecided assertions
+    /// then contain the limit.
     void decide_all(const Show& show);
 
 private:

@@ -17,7 +17,7 @@
 namespace robochart::app {
 
 void output_document(const Options& options, const std::function<std::string(Format)>& document) {
-    // All documents contain the same record, so that equal formats give equal documents.
+    // All documents contain the same record, so two documents in the same format are equal.
     const RunRecord record = record_of(options);
     const auto complete = [&](Format format) {
         std::string text = document(format);

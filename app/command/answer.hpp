@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outputs the result of a run for programs: on standard output in the format of --format, and in the files of --json,
-// --junit and --sarif.
+// Outputs the result of a run in formats for programs: on standard output in the format of --format, and in the files
+// of --json, --junit and --sarif.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ void output_json(const Options&, const diagnostics::Json& document);
 /// True if the options request the result in this format, for standard output or a file.
 [[nodiscard]] bool is_requested(const Options&, Format);
 
-/// The data about this run and its rules that a SARIF log contains.
+/// Returns the data about this run and its rules that a SARIF log contains.
 [[nodiscard]] diagnostics::SarifRules about_log(const Options&, const std::string& limit = "");
 
 }  // namespace robochart::app

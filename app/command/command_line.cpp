@@ -85,7 +85,7 @@ bool names_a_verb(const std::string& word) {
     return std::ranges::find(known, word) != known.end();
 }
 
-/// The possible meanings of a first word: the verbs, and the files in the current folder.
+/// Returns the words that the user may have meant as the first word: the verbs, and the files in the current folder.
 std::vector<std::string> verbs_and_files() {
     constexpr std::size_t most = 1000;
     std::vector<std::string> names = first_words();
@@ -97,9 +97,9 @@ std::vector<std::string> verbs_and_files() {
     return names;
 }
 
-/// A first word that is not a verb names a model. If it looks like a verb and no file has this name, this is a usage
-/// error, as in git and cargo. A word with a dot, a separator or a capital letter is treated as a path; if it cannot be
-/// read, this is reported.
+/// Returns a usage error if the first word is not a verb but looks like one, and no file has this name (as in git and
+/// cargo). Otherwise, the word names a model. A word with a dot, a separator or a capital letter is treated as a path,
+/// and a later error says that the path cannot be read.
 std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     const std::string& first = words.front();
     std::error_code ignored;
@@ -118,7 +118,7 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
         fmt::format("there is no verb, file or folder '{}'{}", first, did_you_mean(first, verbs_and_files())));
 }
 
-/// The verb that the parser has reached: "" for none, "emit" if the verb after it is missing.
+/// Returns the verb that the parser has reached: "" if there is none, "emit" if the word after `emit` is missing.
 std::string verb_reached(const CLI::App& app) {
     std::string name;
     for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
@@ -137,7 +137,7 @@ Parsed help_of(const std::string& name) {
     return wrong_usage(fmt::format("there is no verb '{}'{}", name, did_you_mean(name, known)));
 }
 
-/// The result of the verb `help`.
+/// Returns the result of the verb `help`.
 Parsed answer_help(const Options& options) {
     switch (options.generate) {
         case Generated::none:
@@ -169,8 +169,8 @@ bool has_cache(Verb verb) {
     return std::ranges::any_of(rows, [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
 }
 
-/// The message about an option that the verb does not have. It suggests the nearest option of the verb, or lists the
-/// verbs that have the option.
+/// Returns the message about an option that the verb does not have. The message suggests the nearest option of the
+/// verb, or lists the verbs that have the option.
 std::string unknown_option(const std::string& given, const std::string& verb) {
     const std::string name = given.substr(0, given.find('='));
     std::vector<std::string> known, owners;
@@ -186,7 +186,7 @@ std::string unknown_option(const std::string& given, const std::string& verb) {
     return text + did_you_mean(name, known);
 }
 
-/// The argument of the verb's option, such as "FILE"; "" if there is no such option.
+/// Returns the argument of the verb's option, such as "FILE"; "" if there is no such option.
 std::string argument_of(const std::string& option, const std::string& verb) {
     const VerbRow* row = find_verb(verb);
     for (const OptionRow* option_row : options_of(row == nullptr ? no_verb : verb_bit(row->verb)))
@@ -194,8 +194,8 @@ std::string argument_of(const std::string& option, const std::string& verb) {
     return "";
 }
 
-/// The message about an option that lacks its argument or is given twice. The parser's own message only states numbers
-/// of words.
+/// Returns the message about an option that lacks its argument or is given twice. The parser's own message states only
+/// numbers of words.
 std::string wrong_count(const CLI::ArgumentMismatch& error, const std::string& verb) {
     const std::string message = error.what();
     const std::string option = message.substr(0, message.find(':'));
@@ -219,13 +219,13 @@ Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     return wrong_usage(error.what(), verb);
 }
 
-/// The option that names the output file of this format.
+/// Returns the option that names the output file of this format.
 const char* file_option(Format format) {
     if (format == Format::json) return "--json";
     return format == Format::sarif ? "--sarif" : "--junit";
 }
 
-/// The output files that options name, as pairs of option and file.
+/// Returns the output files that options name, as pairs of option and file.
 std::vector<std::pair<std::string, std::string>> written_files(const Options& options) {
     std::vector<std::pair<std::string, std::string>> files;
     const auto add = [&](const std::string& option, const std::string& path) {
@@ -282,7 +282,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     const bool of_the_program = words.empty() || words[0] == "-h" || words[0] == "--help" || words[0] == "--version";
     if (!of_the_program) {
         if (std::optional<Parsed> wrong = unknown_verb(words)) return *wrong;
-        // `robochart-verify MODEL` means `robochart-verify verify MODEL`; the first word decides.
+        // If the first word is not a verb, `robochart-verify MODEL` means `robochart-verify verify MODEL`.
         if (!names_a_verb(words.front())) words.insert(words.begin(), "verify");
     }
     std::ranges::reverse(words);

@@ -14,7 +14,7 @@ namespace robochart::app {
 struct Parsed {
     std::optional<Options> options;
     Exit exit = Exit::success;
-    std::string message;  ///< help or version (for stdout), or a usage error (for stderr)
+    std::string message;  ///< help or version (printed to stdout), or a usage error (to stderr)
 };
 
 [[nodiscard]] Parsed parse_command_line(int argc, const char* const* argv);

@@ -31,14 +31,14 @@ std::string escape_characters(std::string_view text, std::string_view characters
     return out;
 }
 
-/// A word in single quotes for bash and zsh.
+/// Returns the word in single quotes for bash and zsh.
 std::string quote_word(std::string_view text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
 }
 
-/// The codes that `explain` accepts, or those that `--allow` accepts.
+/// Returns the codes that `explain` accepts, or only those that `--allow` accepts.
 std::string rule_codes(bool warnings) {
     std::set<std::string_view> found;
     for (const diagnostics::Rule* rule : all_rules())
@@ -70,7 +70,8 @@ std::string bash_options() {
     return out + fmt::format("    *) echo {} ;;\n  esac\n}}\n", quote_word(fmt::format("{}", fmt::join(names, " "))));
 }
 
-/// The completions of an argument: its choices, or the kind of names that it accepts (files, folders, rule codes).
+/// Returns the completions of an argument: its choices, or the kind of names that it accepts (files, folders, rule
+/// codes).
 std::string bash_argument(const Argument& argument) {
     switch (argument.kind) {
         case Kind::choice:
@@ -183,7 +184,7 @@ std::string bash_completion() {
 
 namespace {
 
-/// `:MESSAGE:ACTION` for each word of an argument.
+/// Returns `:MESSAGE:ACTION` for each word of an argument.
 std::string zsh_argument(const Argument& argument) {
     const std::string name = argument.name;
     const std::size_t blank = name.find(' ');
@@ -288,7 +289,7 @@ std::string fish_quoted(std::string_view text) {
     return "'" + escape_characters(text, "'\\", "\\") + "'";
 }
 
-/// The verbs that have an option, for `__robochart_verify_is`.
+/// Returns the condition that the verb has the option, as a call of `__robochart_verify_is`.
 std::string fish_condition(const OptionRow& row) {
     std::vector<std::string> names;
     for (const VerbRow& verb : verb_table())

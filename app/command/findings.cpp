@@ -37,7 +37,7 @@ Exit refusal_code(const driver::Project& project) {
                                    &ir::rules::unknown_range_option, &ir::rules::bad_range,
                                    &ir::rules::ranges_not_nested,    &ir::rules::range_too_large};
     const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted_findings();
-    // Errors that the text of the model causes have a place in this text.
+    // An error in the text of the model has a place in this text.
     const auto about_the_model = [&](const diagnostics::Diagnostic& finding) {
         return finding.rule->severity == diagnostics::Severity::error &&
                (finding.span.is_known() || std::ranges::find(about_options, finding.rule) == about_options.end());
@@ -47,7 +47,7 @@ Exit refusal_code(const driver::Project& project) {
 
 namespace {
 
-/// The document for a rejected model: only its diagnostics, in a format for programs.
+/// Returns the document for a rejected model, which contains only its diagnostics, in a format for programs.
 std::string refused_document(const driver::Project& project, const Options& options, Format format) {
     if (format == Format::json) return diagnostics::render_json(project.sources, project.diagnostics) + "\n";
     if (format == Format::sarif)
@@ -83,7 +83,7 @@ void show_findings(const driver::Project& project, const Options& options) {
 bool show_diagnostics(const driver::Project& project, const Options& options) {
     const bool good = is_acceptable(project, options.load);
     if (!good && (options.output.format != Format::text || !options.output.files.empty())) {
-        // The diagnostics are the result of the run, so a later limit must not print a second document.
+        // The diagnostics are the result of the run, so no second document must be printed at a later limit.
         options.run->finish();
         output_document(options, [&](Format format) { return refused_document(project, options, format); });
     }

@@ -13,7 +13,8 @@ namespace robochart::app {
 /// written a file of this name.
 bool write_output(driver::Project&, const Options&, const std::string& path, const std::string& text);
 
-/// The exit code of a run that ends with errors: wrong usage if all errors are about the command line.
+/// Returns the exit code of a run that ends with errors, which is that for wrong usage if all errors are about the
+/// command line.
 [[nodiscard]] Exit refusal_code(const driver::Project&);
 
 /// Prints the project's diagnostics as text to stderr.

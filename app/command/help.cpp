@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Help as text, for a terminal of 80 columns.
+// Writes the help as text for a terminal of 80 columns.
 #include "app/command/help.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ std::string wrap_paragraph(const std::string& lead, std::string_view text, std::
     return out + "\n";
 }
 
-/// "-o, --out DIR".
+/// Returns the option as in "-o, --out DIR".
 std::string spelling_text(const OptionRow& row) {
     const std::string_view brief = short_name(row);
     const std::string_view name = row.argument.name;
@@ -47,7 +47,7 @@ std::string spelling_text(const OptionRow& row) {
                        name.empty() ? "" : " ", name);
 }
 
-/// The help text of an option with its choices and its default.
+/// Returns the help text of an option with its choices and its default.
 std::string option_help(const OptionRow& row) {
     std::string text = row.help;
     if (row.argument.choices[0] != '\0') text += fmt::format(" {{{}}}", row.argument.choices);

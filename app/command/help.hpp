@@ -8,16 +8,16 @@
 
 namespace robochart::app {
 
-/// Help of the program.
+/// Returns the help of the program.
 [[nodiscard]] std::string program_help();
-/// Help of a verb.
+/// Returns the help of a verb.
 [[nodiscard]] std::string verb_help(const VerbRow&);
-/// Help of `emit`: the verbs that may follow the word `emit`.
+/// Returns the help of `emit`, which lists the verbs that may follow the word `emit`.
 [[nodiscard]] std::string emit_help();
-/// "usage: robochart-verify check [OPTIONS] MODEL...".
+/// Returns "usage: robochart-verify check [OPTIONS] MODEL...".
 [[nodiscard]] std::string usage_line(const VerbRow&);
 
-/// A manual page for section 1 in the macros of man(7).
+/// Returns the manual page for section 1 in the macros of man(7).
 [[nodiscard]] std::string manual_page();
 [[nodiscard]] std::string bash_completion();
 [[nodiscard]] std::string zsh_completion();

@@ -10,7 +10,7 @@
 namespace robochart::app {
 namespace {
 
-/// Text for troff: hyphens are ASCII hyphens, and troff interprets no line or character as a command.
+/// Escapes the text for troff, so that hyphens are ASCII hyphens and no line or character is taken as a command.
 std::string roff_text(std::string_view text) {
     std::string out;
     for (const char c : text) {
@@ -36,7 +36,7 @@ std::string italic_text(std::string_view text) {
     return fmt::format("\\fI{}\\fR", roff_text(text));
 }
 
-/// A tagged paragraph; both arguments are troff text.
+/// Returns a tagged paragraph; both arguments are troff text.
 std::string tagged_paragraph(const std::string& tag, const std::string& text) {
     return fmt::format(".TP\n{}\n{}\n", tag, text);
 }

@@ -119,7 +119,7 @@ constexpr Verbs all_verbs = limited | verb_bit(Verb::explain) | verb_bit(Verb::l
 
 using Kind = Argument::Kind;
 
-/// The index of the word in a list of choices.
+/// Returns the index of the word in a list of choices.
 std::size_t index_of(const std::string& word, const char* words) {
     const std::vector<std::string> all = choices_of({.choices = words});
     return static_cast<std::size_t>(std::ranges::find(all, word) - all.begin());
@@ -145,7 +145,7 @@ void take_choices(Options& o, const std::string&) {
     o.code.choices = true;
 }
 
-/// The version of a package: three whole numbers (REP 149).
+/// Stores the version of a package, which consists of three whole numbers (REP 149).
 void take_package_version(Options& o, const std::string& word) {
     std::size_t numbers = 0, digits = 0;
     bool wrong = word.size() > 32;
@@ -176,7 +176,7 @@ void take_license(Options& o, const std::string& word) {
     o.code.package_given = true;
 }
 
-/// NAME <EMAIL>.
+/// Stores a maintainer, given as NAME <EMAIL>.
 void take_maintainer(Options& o, const std::string& word) {
     const std::size_t open = word.find(" <"), at = word.find('@', open == std::string::npos ? 0 : open);
     const bool closed = open != std::string::npos && open > 0 && word.back() == '>' && at != std::string::npos &&
@@ -190,7 +190,7 @@ void take_maintainer(Options& o, const std::string& word) {
     o.code.package_given = true;
 }
 
-/// EVENT=N: the capacity of the lists of an event or variable.
+/// Stores EVENT=N, the capacity of the lists of an event or variable.
 void take_capacity(Options& o, const std::string& word) {
     const std::size_t equals = word.find('=');
     const std::string number = equals == std::string::npos ? "" : word.substr(equals + 1);
@@ -209,7 +209,7 @@ void take_threads(Options& o, const std::string& word) {
     o.limits.threads = static_cast<unsigned>(to_number(word));
 }
 
-/// A file that receives the answer in a format, in addition to the output of --format.
+/// Stores a file that receives the answer in the format, in addition to the output of --format.
 template <Format format>
 void take_file(Options& o, const std::string& path) {
     for (const auto& [other, taken] : o.output.files)
@@ -688,7 +688,8 @@ bool parse_whole(std::string_view text, std::uint64_t& value) {
     return code == std::errc() && end == text.data() + text.size();
 }
 
-/// "300M", "4GiB", "1048576B": binary units, whatever their spelling. A number without a unit is rejected as ambiguous.
+/// Parses sizes such as "300M", "4GiB" and "1048576B". All units are binary, including "M" and "MB". A number without a
+/// unit is rejected as ambiguous.
 bool parse_size(std::string_view text, std::uint64_t& bytes) {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
     std::string unit(text.substr(digits));
@@ -708,7 +709,7 @@ bool parse_size(std::string_view text, std::uint64_t& bytes) {
     return true;
 }
 
-/// Rejects hexadecimal numbers, nan and infinity.
+/// Parses a number of seconds. Rejects hexadecimal numbers, nan and infinity.
 bool parse_seconds(const std::string& text, double& seconds) {
     char* end = nullptr;
     seconds = std::strtod(text.c_str(), &end);
@@ -716,8 +717,8 @@ bool parse_seconds(const std::string& text, double& seconds) {
     return plain && !text.empty() && *end == '\0' && std::isfinite(seconds);
 }
 
-/// True if the word is a number that the argument accepts. Some texts that a number parser accepts (nan, -1, 1e300) are
-/// rejected.
+/// True if the word is a number that the argument accepts. Rejects some texts that a number parser accepts (nan, -1,
+/// 1e300).
 bool is_number(const Argument& argument, const std::string& word, std::uint64_t& value) {
     if (argument.kind == Kind::seconds) {
         double seconds = 0;

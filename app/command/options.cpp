@@ -38,7 +38,7 @@ driver::ClaimUse claim_use(Verb verb) {
 
 namespace {
 
-/// True if the verb generates code or runs components of RoboSim. Claims of .rsa files do not depend on this.
+/// True if the verb generates code for components of RoboSim, or runs them. Claims of .rsa files do not depend on this.
 bool handles_robosim(Verb verb) {
     switch (verb) {
         case Verb::verify:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line as data: the verb, its options, the exit codes. option_table.hpp defines the syntax.
+// Defines the command line as data: the verb, its options, the exit codes. option_table.hpp defines the syntax.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ enum class Exit : int {
     internal = 70,  ///< internal error
 };
 
-/// The verb; `emit` has one for each kind of output.
+/// The verb. Each word after `emit` is a separate verb.
 enum class Verb {
     verify,
     check,
@@ -60,7 +60,7 @@ enum class Verb {
     help,
     version
 };
-/// How the verb uses the claims of a model.
+/// Returns how the verb uses the claims of a model.
 [[nodiscard]] driver::ClaimUse claim_use(Verb);
 /// True for verbs that decide assertions.
 [[nodiscard]] constexpr bool decides_assertions(Verb verb) {
@@ -68,9 +68,9 @@ enum class Verb {
 }
 /// The output format of results.
 enum class Format { text, json, sarif, plain, framed_json, junit, csv };
-/// Whether and how progress is written to stderr.
+/// How progress is written to stderr.
 enum class ProgressMode { automatic, json, never };
-/// Whether text is coloured.
+/// When text is coloured.
 enum class Color { automatic, always, never };
 /// The version that `--version` prints.
 inline constexpr const char* program_version = "0.1.0";
@@ -91,7 +91,7 @@ struct OutputOptions {
     bool quiet = false;
     ProgressMode progress = ProgressMode::automatic;
     std::string html;            ///< file for the report as an HTML page; "": none
-    bool provenance = false;     ///< ends text reports with the record of the run
+    bool provenance = false;     ///< appends the record of the run to text reports
     bool show_internal = false;  ///< --trace: shows raw event traces with a counterexample
     Phase phase = Phase::none;   ///< phase to print instead of results
 };
@@ -99,7 +99,7 @@ struct OutputOptions {
 /// Options of `init`: additional files of the new project.
 struct InitOptions {
     bool simulation = false;  ///< a scenario
-    bool ros2 = false;        ///< a mapping to messages
+    bool ros2 = false;        ///< a mapping of events to ROS messages
 };
 
 /// Options of `format`, which replace the change of the files by another output.
@@ -147,7 +147,7 @@ struct PrismOptions {
 
 /// Options of `rules`.
 struct RuleOptions {
-    bool as_sleec_tk = false;  ///< in SLEEC-TK's semantics
+    bool as_sleec_tk = false;  ///< analyses the rules in SLEEC-TK's semantics
     bool suggest = false;      ///< searches for an `unless` that removes a conflict
     sleec::WithoutLimit without_limit = sleec::WithoutLimit::eventually;
 };
@@ -156,12 +156,12 @@ struct RuleOptions {
 struct CodeOptions {
     std::uint32_t cycle = 1;  ///< time units of one cycle
     bool cycle_given = false;
-    cpp_emit::Target target = cpp_emit::Target::sources;          ///< only the classes, or a kind of project
+    cpp_emit::Target target = cpp_emit::Target::sources;          ///< the classes alone, or a kind of project
     std::string mapping;                                          ///< --target ros2: file that assigns messages
     cpp_emit::PackageFacts package;                               ///< --target ros2
-    bool package_given = false;                                   ///< an option sets a member of `package`
-    bool mapping_draft = false;                                   ///< --target ros2: only a mapping to start from
-    bool model_names = false;                                     ///< --target ros2: no snake_case
+    bool package_given = false;                                   ///< true if an option sets a member of `package`
+    bool mapping_draft = false;                                   ///< --target ros2: writes only a draft of a mapping
+    bool model_names = false;                                     ///< --target ros2: keeps names, without snake_case
     cpp_emit::Dispatch dispatch = cpp_emit::Dispatch::timer;      ///< --target ros2: when a cycle begins
     cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic;  ///< how the code finds the effect of an event
     std::map<std::string, std::size_t> capacities;                ///< capacities of lists, by event or variable
@@ -171,7 +171,7 @@ struct CodeOptions {
 /// Options of `conform` and `emit tests`.
 struct ConformOptions {
     conformance::Relation relation = conformance::Relation::failures_divergences;
-    std::uint64_t walks = 200'000;    ///< cycles of random walks if there are too many states; 0: none
+    std::uint64_t walks = 200'000;    ///< cycles of random walks if there are too many states; 0: no walks
     std::string exported_code;        ///< file for L(G), .aut, .dot or .csp; "": none
     std::vector<std::string> traces;  ///< logs (files, folders) to check instead of code
     std::uint32_t extra_states = 0;   ///< emit tests: how many more states an implementation may have
@@ -179,7 +179,7 @@ struct ConformOptions {
 
 /// Options of `simulate`.
 struct SimulateOptions {
-    std::uint32_t trials = 0;           ///< overrides the scenario; 0: as in the scenario
+    std::uint32_t trials = 0;           ///< overrides the scenario unless 0
     std::optional<std::uint64_t> seed;  ///< overrides the scenario
     std::string compare;                ///< table of earlier trials to compare a sweep with
     bool pictures = true;               ///< writes tables and pictures
@@ -192,9 +192,9 @@ struct SimulateOptions {
 /// Options of `tune`.
 struct TuneOptions {
     std::uint64_t trials = 1000;  ///< budget of the search
-    std::uint64_t seed = 1;       ///< of the search
+    std::uint64_t seed = 1;       ///< seed of the search
     simulation::Elimination elimination = simulation::Elimination::friedman;
-    std::string certificate;  ///< certificate to verify; "": search instead
+    std::string certificate;  ///< certificate to verify; "": searches for constants instead
 };
 
 /// Options of searches that store their states in files.
@@ -202,10 +202,10 @@ struct StorageOptions {
     std::string checkpoint;       ///< folder for checkpoints; "": none
     std::string resume;           ///< folder with checkpoints to resume from; "": none
     std::string disk;             ///< folder for states beyond the memory limit; "": only memory is used
-    double minutes_between = 10;  ///< between checkpoints
+    double minutes_between = 10;  ///< minutes between checkpoints
 };
 
-/// The output of `help` instead of a help text: the man page, or a completion.
+/// What `help` prints instead of a help text: the man page, or a completion.
 enum class Generated { none, man, bash, zsh, fish };
 
 /// The parsed command line: the settings for reading and checking a model, and the options of the verbs.
@@ -228,10 +228,10 @@ struct Options : driver::Settings {
     Generated generate = Generated::none;     ///< help: the kind of output
     bool cache = true;                        ///< use results of earlier runs, and store new ones
     std::optional<std::uint64_t> given_seed;  ///< value of --seed, for the record of the run
-    Run* run = nullptr;                       ///< the run of these options: its budget and signals
+    Run* run = nullptr;                       ///< the run of these options, with its budget and signals
 };
 
-/// Sets the verb, and how it uses claims (`claim_use`).
+/// Sets the verb and the use of claims (`claim_use`).
 void set_verb(Options&, Verb);
 
 }  // namespace robochart::app

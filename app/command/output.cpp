@@ -95,7 +95,7 @@ std::size_t line_width(int descriptor) {
 
 namespace {
 
-/// A line without its line end, measured in columns.
+/// A line without its line end, with widths in columns.
 class WideLine {
 public:
     WideLine(std::string_view text, std::size_t width) : text_(text), width_(width) {
@@ -116,8 +116,8 @@ public:
     }
 
 private:
-    /// The end of the piece that starts at `begin`: before the last space within the columns, or after a word that is
-    /// wider than the columns.
+    /// Returns the end of the piece that starts at `begin`. It is before the last space within the columns, or after
+    /// the first word if this word is wider than the columns.
     [[nodiscard]] std::size_t break_after(std::size_t begin, std::size_t columns_left) const {
         std::size_t columns = 0, space = std::string_view::npos;
         bool words = false;
@@ -160,7 +160,7 @@ std::string wrap_lines(std::string_view text, std::size_t width) {
 diagnostics::TextStyle findings_style(const Options& options) {
     diagnostics::TextStyle style;
     style.color = color_wanted(options.output.color, STDERR_FILENO);
-    constexpr std::size_t margin = 14;  // the line number, and the marks at the ends of a cut line
+    constexpr std::size_t margin = 14;  // width of the line number and of the marks at the ends of a cut line
     if (const std::size_t width = line_width(STDERR_FILENO); width > 0)
         style.max_width = std::max(margin, width - std::min(width, margin));
     return style;
@@ -168,7 +168,7 @@ diagnostics::TextStyle findings_style(const Options& options) {
 
 bool color_wanted(Color color, int descriptor) {
     if (color != Color::automatic) return color == Color::always;
-    const char* refused = std::getenv("NO_COLOR");  // no-color.org: set and not empty
+    const char* refused = std::getenv("NO_COLOR");  // no-color.org: applies if set and not empty
     return isatty(descriptor) == 1 && (refused == nullptr || *refused == '\0');
 }
 

@@ -29,13 +29,13 @@ double per_second(std::uint64_t count, double seconds) {
     return seconds > 0 ? static_cast<double>(count) / seconds : 0;
 }
 
-/// The growth of memory per stored state; 0 if there are too few states for an estimate.
+/// Returns the growth of memory per stored state; 0 if there are too few states for an estimate.
 double bytes_per_state(const refine::Progress& progress) {
     constexpr std::uint64_t few = 10'000;
     return progress.states < few ? 0 : static_cast<double>(progress.grown_bytes) / static_cast<double>(progress.states);
 }
 
-/// "950", "12.3 k", "4.56 M".
+/// Returns a short form of the number: "950", "12.3 k", "4.56 M".
 std::string short_number(double value) {
     if (value < 10'000) return fmt::format("{:.0f}", value);
     return value < 1e6 ? fmt::format("{:.1f} k", value / 1e3) : fmt::format("{:.2f} M", value / 1e6);

@@ -24,7 +24,7 @@
 namespace robochart::app {
 namespace {
 
-/// The NAME of each NAME=VALUE.
+/// Returns the NAME of each NAME=VALUE.
 std::vector<std::string> names_set_by(const std::vector<std::string>& settings) {
     std::vector<std::string> names;
     for (const std::string& setting : settings) names.push_back(setting.substr(0, setting.find('=')));
@@ -35,13 +35,13 @@ bool is_named(const std::string& path, const std::vector<std::string>& names) {
     return std::ranges::any_of(names, [&](const std::string& name) { return ir::is_named_by(path, name); });
 }
 
-/// The source of values that --const overrides.
+/// Returns the source of the values that --const overrides.
 ValueSource weaker_source(const Options& options) {
     if (!options.swarm.file.empty()) return ValueSource::swarm;
     return options.conform.traces.empty() ? ValueSource::scenario : ValueSource::log;
 }
 
-/// The values that the model gives to its constants, by the constant's name in scripts.
+/// Returns the values that the model gives to its constants, by the constant's name in scripts.
 std::map<std::string, ir::Value> values_in_model(const ir::System& system, const ir::Instantiation& finite) {
     std::map<std::string, ir::Value> values;
     const auto add = [&](const std::string& package, const std::string& path, const ir::Constant& constant,
@@ -87,7 +87,8 @@ public:
         for (const ir::NamedConstant& constant : ir::named_constants(project.system)) add(constant);
     }
 
-    /// All constants, without those of a component in a controller that have the value of the component's own constant.
+    /// Returns all constants, except constants of a component in a controller that have the same value as the
+    /// component's own constant.
     [[nodiscard]] std::vector<RecordedConstant> take() {
         std::vector<RecordedConstant> result;
         for (const ir::NamedConstant& constant : named_) {
@@ -119,7 +120,7 @@ private:
         return constant.has_value ? ValueSource::model : ValueSource::by_default;
     }
 
-    /// "not computed": the value is an expression that only the script evaluates.
+    /// Returns the value as text, or "not computed" if it is an expression that only the script evaluates.
     [[nodiscard]] std::string value(const ir::NamedConstant& constant) const {
         const auto& chosen = project_.instantiation.constants;
         if (const auto at = chosen.find(constant.name); at != chosen.end()) return text(constant, at->second);
@@ -206,7 +207,7 @@ void record_preferences(const driver::Project& project, const Options& options) 
     if (!source || !prism_emit::read_preferences(sources.source_text(*source), preferences).empty()) return;
     RunRecorder& recorder = options.run->recorder();
     const auto record = [&](const char* type, const prism_emit::Range& range) {
-        if (!range.asked) return;  // the file does not give it
+        if (!range.asked) return;  // the file does not set this range
         recorder.remove_range(project.name, type);
         recorder.add_ranges({between(project, type, range.low, range.high, ValueSource::preferences)});
     };
@@ -249,7 +250,7 @@ void record_project(const driver::Project& project, const driver::Settings& used
 
 void record_block_values(const driver::Project& project, const Options& options) {
     if (project.scripts.empty() || !project.diagnostics.ok()) return;
-    const cspm::Script& definitions = project.scripts.rbegin()->second.definitions;  // the timed one, if it exists
+    const cspm::Script& definitions = project.scripts.rbegin()->second.definitions;  // the timed script, if it exists
     static const std::map<std::string, std::string> carriers{
         {"core_nat", "nat"}, {"core_int", "int"}, {"core_real", "real"}, {"core_clock_type", "clock"}};
     RunRecorder& recorder = options.run->recorder();

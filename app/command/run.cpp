@@ -30,10 +30,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr timespec between_looks{0, 10'000'000};
-/// The time that work may continue after a limit, in order to poll the limit and free memory. The short time applies if
+/// How long work may continue after a limit, so that it can poll the limit and free memory. The short time applies if
 /// the program uses far more memory than the limit.
 constexpr std::chrono::milliseconds grace{300}, short_grace{100};
-/// The time that a verb may print after a signal.
+/// How long a verb may still print after a signal.
 constexpr std::chrono::milliseconds longest_printing{2000};
 
 }  // namespace
@@ -148,14 +148,14 @@ bool Run::write_kept_files() {
     return all;
 }
 
-/// Ends the run when a limit is reached. After a memory limit the run continues if enough memory is freed, and the
-/// grace period starts again whenever memory shrinks. A verb that already prints its result may finish after a limit,
-/// but after a signal it has only `longest_printing`. If this thread cannot allocate memory, it prints a fixed message
-/// and ends the program.
+/// Ends the run when a limit is reached. After a memory limit, the run continues if enough memory is freed, and the
+/// grace period starts again whenever the used memory shrinks. A verb that is already printing its result may finish
+/// after a limit, but only for `longest_printing` after a signal. If this thread cannot allocate memory, it prints a
+/// fixed message and ends the program.
 void Run::watch_limits() {
     bool beyond = false;
     Clock::time_point since;
-    std::uint64_t lowest = 0;  // the least memory since `since`
+    std::uint64_t lowest = 0;  // the least memory in use since the time `since`
     int asked_to_end = 0;
     const auto finishing = [this] {
         const std::unique_lock lock = try_edit();
@@ -180,7 +180,7 @@ void Run::watch_limits() {
             since = Clock::now();
             lowest = budget_.resident_memory();
         }
-        // A table that doubles may exceed a small limit by this much.
+        // When a table doubles its size, it may exceed a small limit by this much.
         constexpr std::uint64_t grown = std::uint64_t{64} << 20U;
         const bool far_beyond = budget_.resident_memory() > most + std::max(most / 4, grown);
         if (Clock::now() - since < (far_beyond ? short_grace : grace)) return;
@@ -196,9 +196,9 @@ void Run::watch_limits() {
     }
 }
 
-/// Programs that start this one may send a signal both to it and to its process group. Two signals within a moment
-/// therefore count as one. The system repeats SIGXCPU every second after its CPU time limit, so this signal never ends
-/// the program at once.
+/// Handles a signal; a second signal ends the program at once. A program that starts this one may send a signal both to
+/// it and to its process group, so two signals within a moment are treated as one. The system repeats SIGXCPU every
+/// second after its CPU time limit, so this signal never ends the program at once.
 void Run::handle_signal(int signal) {
     constexpr std::chrono::milliseconds moment{100};
     if (signal == SIGXCPU) return budget_.interrupt();
@@ -244,7 +244,7 @@ Exit run_within(Run& run, const Options& options, const std::function<Exit(const
         return verb(options);
     } catch (const diagnostics::LimitReached& limit) {
         return run.end_run(limit.what());
-    } catch (const cspm::EvaluationError& error) {  // verbs catch it if they know the place in the model
+    } catch (const cspm::EvaluationError& error) {  // verbs catch this error if they know its place in the model
         run.finish();
         print_error("robochart-verify: the script cannot be evaluated: {}\n", error.what());
         return Exit::bad_input;
@@ -323,7 +323,8 @@ refine::Limits limits(const Options& options, const std::string& subject) {
     return driver::limits_of_check(search_context(options), subject);
 }
 
-/// The number is bounded, because some child processes close all descriptors up to the limit.
+/// Raises the limit of open files, but only up to a bound, because some child processes close all descriptors up to the
+/// limit.
 void allow_many_files() {
     constexpr rlim_t most = rlim_t{1} << 20U;
     rlimit limit{};

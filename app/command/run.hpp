@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run of the command: its budget, and a thread that watches it. The thread receives SIGINT, SIGTERM, SIGHUP and
-// SIGXCPU, and checks the limits continuously. A phase notices a limit when it polls the budget, and the verb then ends
-// normally. If no phase polls for too long, the thread itself prints the known results and ends the program. So limits
-// do not depend on polling. A second signal ends the program at once.
+// Defines one run of the command: its budget, and a thread that watches the run. The thread receives SIGINT, SIGTERM,
+// SIGHUP and SIGXCPU, and checks the limits continuously. A phase notices a limit when it polls the budget, and the
+// verb then ends normally. If no phase polls for too long, the watching thread itself prints the known results and ends
+// the program. So limits do not depend on polling. A second signal ends the program at once.
 #pragma once
 
 #include <signal.h>
@@ -42,7 +42,8 @@ public:
     [[nodiscard]] diagnostics::Cache* cache() override { return cache_ ? &*cache_ : nullptr; }
     [[nodiscard]] std::function<void(const refine::Progress&)> progress(const std::string& subject) override;
     [[nodiscard]] bool continues_searches() const override;
-    /// Throws UsageError, storage::BadFile or storage::CannotWrite if the files cannot be used.
+    /// Returns the strategy for searches in files. Throws UsageError, storage::BadFile or storage::CannotWrite if the
+    /// files cannot be used.
     [[nodiscard]] refine::LevelStrategy* level_searches() override;
     /// Collects the record of this run, which every report contains.
     [[nodiscard]] RunRecorder& recorder() { return recorder_; }
@@ -55,20 +56,20 @@ public:
     /// True if a signal was received.
     [[nodiscard]] bool is_interrupted() const { return signals_.load() > 0; }
 
-    /// A function that prints the known part of the verb's result when the run must end early; `why` is the reason.
-    /// Returns the exit code.
+    /// A function that prints the known part of the verb's result when the run must end early, and returns the exit
+    /// code. `why` is the reason.
     using LastWord = std::function<Exit(const std::string& why)>;
     /// Sets the function that prints the partial result. The watching thread may call it while no thread holds the lock
     /// edit(), so it must only read data that is changed under this lock.
     void last_word(LastWord);
-    /// Must be called before the verb prints its final result, or if it will have no result. From then on, limits do
-    /// not interrupt the verb.
+    /// Must be called before the verb prints its final result, or when it is known that the verb has no result. From
+    /// then on, limits do not interrupt the verb.
     void finish();
     /// Registers the path of a file below `--out`. Returns true if this run has not yet written a file with this path.
     [[nodiscard]] bool claim_path(const std::string& path) { return written_.insert(path).second; }
     /// Prints the partial result from the verb's own thread; returns the exit code.
     Exit end_run(const std::string& why);
-    /// True if the watching thread calls this; data of the verb's thread must not be accessed then.
+    /// True if the caller is the watching thread, which must not access data of the verb's thread.
     [[nodiscard]] bool is_watching() const { return std::this_thread::get_id() == watcher_.get_id(); }
 
     /// Prints the record of the run below a text report, if --provenance is given.
@@ -90,7 +91,7 @@ private:
     StorageOptions storage_;
     unsigned threads_wanted_;  ///< threads of a search in files
     refine::LevelStrategy* programs_ = nullptr;
-    std::string identity_;  ///< "": that of this program
+    std::string identity_;  ///< if "", the identity of this program
     RunRecorder recorder_;
     const bool prints_record_;
     std::optional<diagnostics::Cache> cache_;
@@ -107,18 +108,18 @@ private:
     std::thread watcher_;
 };
 
-/// The context of searches: these options and their run.
+/// Returns the context of searches with these options and their run.
 [[nodiscard]] driver::SearchContext search_context(const Options&);
-/// The limits of one check. Progress is reported as the options require, under the name `subject`.
+/// Returns the limits of one check. Progress is reported as the options require, under the name `subject`.
 [[nodiscard]] refine::Limits limits(const Options&, const std::string& subject = "");
 
-/// The whole program: parses the command line, runs the verb within its limits, and reports anything that could not be
+/// Runs the whole program: parses the command line, runs the verb within its limits, and reports what could not be
 /// written or decided. Returns the exit code.
 int run_command(const char* program, int argc, const char* const* argv,
                 const std::function<Exit(const Options&)>& verb);
 
-/// Raises the number of open files to the system's limit, because searches in files open several per thread. Must be
-/// called at the start of a program that does not call run_command.
+/// Raises the limit of open files, because searches in files open several files per thread. Must be called at the start
+/// of a program that does not call run_command.
 void allow_many_files();
 
 }  // namespace robochart::app

@@ -24,8 +24,8 @@ bool has_option(Verb verb, std::string_view name) {
                                [&](const OptionRow* row) { return long_name(*row) == name; });
 }
 
-/// The peak main memory of this program so far. No value if the system does not report it. getrusage is not used,
-/// because its value includes the memory of the program that started this one.
+/// Returns the peak main memory of this program so far; no value if the system does not report it. getrusage is not
+/// used, because its value includes the memory of the program that started this one.
 std::optional<std::uint64_t> peak_memory() {
     constexpr std::string_view label = "VmHWM:";
     std::ifstream status("/proc/self/status");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of a run contains the data that a reader needs to repeat the run. Every report contains the record
-// (docs/cli.md). The run owns one recorder, and the verbs add the files that they read and the values that they use.
+// Collects the record of a run, which contains the data that a reader needs to repeat the run. Every report contains
+// the record (docs/cli.md). The run owns one recorder, and the verbs add the files that they read and the values that
+// they use.
 #pragma once
 
 #include <compare>
@@ -26,7 +27,7 @@ enum class ValueSource {
     scenario,
     swarm,
     log,    ///< the header of a log
-    block,  ///< a CSP block; it applies to the scripts only
+    block,  ///< a CSP block; the value applies only to the scripts
 };
 
 /// A constant with the value that the run uses.
@@ -71,7 +72,7 @@ struct RunRecord {
     std::optional<std::uint64_t> states;
     std::optional<bool> reduction;
     std::optional<unsigned> threads;
-    std::optional<std::uint64_t> peak_memory_bytes;  ///< so far; without child processes
+    std::optional<std::uint64_t> peak_memory_bytes;  ///< peak so far, without child processes
 };
 
 /// Collects the record. Any thread may call it.
@@ -81,14 +82,14 @@ public:
     RunRecorder(const Options&, std::uint64_t memory_bytes);
 
     void set_command(std::vector<std::string> command);
-    /// Adds a text that the run has read. If several texts have the same path, only the first is stored, because the
-    /// later ones are parts of it.
+    /// Adds a text that the run has read. If several texts have the same path, only the first is stored, because later
+    /// ones are parts of the first.
     void add_input(const std::string& path, std::string_view text);
-    /// Adds a file that other code of the run reads. Does nothing if it is not a readable regular file.
+    /// Adds a file that other code of the run reads. Does nothing if the path is not a readable regular file.
     void add_input_file(const std::string& path);
     void add_constants(const std::vector<RecordedConstant>&);
     void add_ranges(const std::vector<RecordedRange>&);
-    /// Removes the constant of this model and name, or the range of this model and type.
+    /// Removes the constant with this name, or the range of this type, of the model.
     void remove_constant(const std::string& model, const std::string& name);
     void remove_range(const std::string& model, const std::string& type);
     /// Removes all constants and ranges. Called before another instantiation is recorded.
@@ -97,7 +98,7 @@ public:
     /// True if the command line has a --range for this type.
     [[nodiscard]] bool has_range_option(const std::string& type) const;
 
-    /// The record so far.
+    /// Returns the record so far.
     [[nodiscard]] RunRecord record() const;
 
 private:
@@ -106,22 +107,23 @@ private:
 
     mutable std::mutex mutex_;
     RunRecord record_;
-    const std::vector<std::string> range_options_;  ///< TYPE=LOW..HIGH
+    const std::vector<std::string> range_options_;  ///< the ranges TYPE=LOW..HIGH of the command line
 };
 
-/// The record of the run of these options.
+/// Returns the record of the run with these options.
 [[nodiscard]] RunRecord record_of(const Options&);
 
-/// The member `run` of a JSON report.
+/// Returns the member `run` of a JSON report.
 [[nodiscard]] diagnostics::Json run_json(const RunRecord&);
-/// A JSON report with the record as its last member, `run`. `document`: an object that is not empty, in any layout.
+/// Returns the JSON report `document` with the record as its last member, `run`. `document` is an object that is not
+/// empty, in any layout.
 [[nodiscard]] std::string with_run(std::string document, const RunRecord&);
-/// The record as JSON on one line of printable ASCII, for a comment in a file. The file is written before the run ends,
-/// so the peak memory is null.
+/// Returns the record as JSON on one line of printable ASCII, for a comment in a file. The file is written before the
+/// run ends, so the peak memory is null.
 [[nodiscard]] std::string run_line(RunRecord);
-/// The record for people, one value per line. Foreign text is escaped.
+/// Returns the record for people, one value per line. Foreign text is escaped.
 [[nodiscard]] std::string run_text(const RunRecord&);
-/// The record as the last part of a page.
+/// Returns the record as the last part of a page.
 [[nodiscard]] std::string run_html(const RunRecord&);
 
 }  // namespace robochart::app

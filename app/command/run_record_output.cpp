@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of a run as JSON, as text and as a part of a page.
+// Writes the record of a run as JSON, as text and as a part of a page.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -47,7 +47,7 @@ Json bound_json(double number) {
     return Json(number);
 }
 
-/// "16 GiB", "300 MiB", or the number of bytes if it is not a multiple of a mebibyte.
+/// Returns "16 GiB", "300 MiB", or the number of bytes if it is not a multiple of a mebibyte.
 std::string size_text(std::uint64_t bytes) {
     constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U, gibibyte = std::uint64_t{1} << 30U;
     if (bytes > 0 && bytes % gibibyte == 0) return fmt::format("{} GiB", bytes / gibibyte);
@@ -63,7 +63,7 @@ std::string limits_text(const RunRecord& record) {
     return text;
 }
 
-/// The words of a command line, quoted for a shell where necessary.
+/// Returns the words of a command line, quoted for a shell where necessary.
 std::string command_text(const std::vector<std::string>& words) {
     constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=,+@%";
     std::string text;

@@ -6,9 +6,9 @@
 
 namespace robochart::app {
 
-/// The build ID of the robochart-verify of the same build, which that program gets from diagnostics::program_identity;
-/// "" if it has none. Both programs use the same libraries for evaluation, compilation and search, so their stored
-/// states are equal.
+/// Returns the build ID of robochart-verify from the same build; "" if it has none. It is the value of
+/// diagnostics::program_identity in robochart-verify. Both programs use the same libraries for evaluation, compilation
+/// and search, so their stored states are equal.
 [[nodiscard]] std::string command_identity();
 
 }  // namespace robochart::app

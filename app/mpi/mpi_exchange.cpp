@@ -34,7 +34,8 @@ std::size_t compute_offsets(const std::vector<int>& counts, std::vector<int>& pl
     return static_cast<std::size_t>(as_count(end));
 }
 
-/// MPI itself polls without pause. If the wait is longer than a moment, this function sleeps between polls.
+/// Waits until the request is complete. MPI itself would poll without pause. If the wait is longer than a moment, this
+/// function sleeps between polls.
 void await_request(MPI_Request request) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::milliseconds moment{2}, pause{1};

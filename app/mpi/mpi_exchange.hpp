@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exchange between programs that MPI started as ranks. Only functions of MPI-3 are called, from one thread.
+// Exchanges data between programs that MPI started as ranks. Only functions of MPI-3 are called, from one thread.
 #pragma once
 
 #include "checker/refine/levels/exchange.hpp"

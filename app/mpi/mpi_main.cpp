@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// robochart-verify-mpi: robochart-verify with searches that are distributed over all ranks that mpirun starts
-// (docs/scale.md).
+// The program robochart-verify-mpi: robochart-verify with searches that are distributed over all ranks that mpirun
+// starts (docs/scale.md).
 #include "app/mpi/ranked_command.hpp"
 
 #include "app/mpi/mpi_exchange.hpp"

@@ -27,7 +27,7 @@ namespace {
 
 using diagnostics::xml_text;
 
-/// The maximal number of steps shown for one run. For a longer run, the first and the last steps are shown.
+/// The maximal number of steps shown for one run. Of a longer run, only the first and the last steps are shown.
 constexpr std::size_t most_steps = 2000;
 
 const char* answer_class(driver::Answer answer) {
@@ -39,12 +39,12 @@ std::string title_of(const driver::AssertionReport& assertion) {
     return assertion.core ? assertion.core->component + ": " + assertion.core->property : assertion.title;
 }
 
-/// A block whose lines can be scrolled, also by keyboard, if they are wider than the page.
+/// Returns a block of text. Lines that are wider than the page can be scrolled, also by keyboard.
 std::string preformatted_block(const std::string& text) {
     return fmt::format("<pre tabindex=\"0\">{}</pre>", diagnostics::xml_lines(text));
 }
 
-/// The file's name, with its full path as a tooltip.
+/// Returns the file's name, with its full path as a tooltip.
 std::string place_text(const std::string& place) {
     return fmt::format("<span class=\"place\" title=\"{}\">{}</span>", xml_text(place),
                        xml_text(place.substr(place.rfind('/') + 1)));
@@ -54,7 +54,7 @@ std::string place_text(const runs::Place& place) {
     return place_text(fmt::format("{}:{}", place.file, place.line));
 }
 
-/// The basis of a verdict; "" if it is empty.
+/// Returns the basis of a verdict as a list; "" if it is empty.
 std::string basis_list(const driver::Basis& basis) {
     std::string items;
     std::set<std::string> remedies;
@@ -67,8 +67,8 @@ std::string basis_list(const driver::Basis& basis) {
     return items.empty() ? "" : fmt::format("<div class=\"basis\">rests on:<ul>{}</ul></div>", items);
 }
 
-/// The values of a probabilistic assertion with this title: one row for each combination of the constants that vary,
-/// and a plot.
+/// Returns the values of a probabilistic assertion as a table with one row for each combination of the varying
+/// constants, and a plot. `title` is the title of the assertion.
 std::string values_table(const std::string& title, const driver::ProbabilityReport& report) {
     if (report.rows.empty()) return "";
     std::string head;
@@ -90,14 +90,14 @@ std::string values_table(const std::string& title, const driver::ProbabilityRepo
 /// Elements of diagrams, each given by the number of its machine and its id in the machine's diagram.
 using Marks = std::vector<std::pair<std::size_t, std::string>>;
 
-/// "0:e5 1:e9".
+/// Returns the marks as text: "0:e5 1:e9".
 std::string text_of(const Marks& marks) {
     std::vector<std::string> texts;
     for (const auto& [machine, element] : marks) texts.push_back(fmt::format("{}:{}", machine, element));
     return fmt::format("{}", fmt::join(texts, " "));
 }
 
-/// The input as given on the command line; for `.` and `..` the name of the folder.
+/// Returns the input as given on the command line; for `.` and `..` the name of the folder.
 std::string name_of(const Report& report, const std::vector<driver::Part>& parts) {
     const bool says_nothing = report.model.find_first_not_of("./ ") == std::string::npos;
     return says_nothing && !parts.empty() ? parts.front().project->name : report.model;
@@ -152,8 +152,8 @@ private:
     std::string name_;  ///< name of the page's subject
     PartDiagrams diagrams_;
     std::vector<std::pair<std::string, std::string>> machines_;  ///< instances and definitions of the current run
-    durations::Unit unit_;                                       ///< of the current run
-    bool timed_ = false;                                         ///< the current run is timed
+    durations::Unit unit_;                                       ///< time unit of the current run
+    bool timed_ = false;                                         ///< true if the current run is timed
     std::string out_;
 };
 
@@ -225,7 +225,7 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
         place_text(assertion.place), assertion.statistics.states);
 }
 
-/// The elements of the active states of each machine in the current run.
+/// Returns the elements of the active states of each machine in the current run.
 Marks ReportPage::active_marks(const std::vector<runs::Machine>& machines) const {
     Marks marks;
     for (const runs::Machine& machine : machines)
@@ -237,7 +237,7 @@ Marks ReportPage::active_marks(const std::vector<runs::Machine>& machines) const
     return marks;
 }
 
-/// The elements that perform the step, in the machines that take part.
+/// Returns the elements that perform the step, in all machines that take part.
 Marks ReportPage::fired_marks(const runs::Step& step) const {
     Marks marks;
     const auto add = [&](const runs::Event& event) {
@@ -250,7 +250,7 @@ Marks ReportPage::fired_marks(const runs::Step& step) const {
     return marks;
 }
 
-/// "x = 2"; "" if the text of the event contains it.
+/// Returns "x = 2"; "" if the text of the event already contains the change.
 std::string change_text(const runs::Step& step, const runs::Change& change) {
     std::string text = fmt::format("{} = {}", change.name, change.after);
     return step.event.text.ends_with(text) ? "" : text;
@@ -263,7 +263,7 @@ std::string step_with_changes(const runs::Step& step) {
     return text;
 }
 
-/// The alternatives to a step, preceded by their number.
+/// Returns the alternatives to a step, preceded by their number.
 std::string also_possible(const runs::Step& step) {
     if (step.offered.empty()) return "";
     std::vector<std::string> offered;
@@ -273,14 +273,15 @@ std::string also_possible(const runs::Step& step) {
                        fmt::join(offered, "<br>"));
 }
 
-/// "<dt>the specification allows</dt><dd>…</dd>"; "" for none.
+/// Returns "<dt>the specification allows</dt><dd>…</dd>"; "" if there are no events.
 std::string end_entry(const char* title, const std::vector<runs::Event>& events) {
     std::vector<std::string> texts;
     for (const runs::Event& event : events) texts.push_back(xml_text(event.text));
     return texts.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, fmt::join(texts, "<br>"));
 }
 
-/// The events that are possible at the end of a run, and those that the specification allows or requires there.
+/// Returns the events that are possible at the end of a run, and the events that the specification allows or requires
+/// there.
 std::string end_text(const runs::End& end) {
     std::string text = end_entry("possible", end.offered) + end_entry("the specification allows", end.allowed) +
                        end_entry("it refuses, against the specification", end.refused);
@@ -295,7 +296,7 @@ std::string end_text(const runs::End& end) {
                : fmt::format("<details class=\"ends\"><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
 }
 
-/// The action of a component in a step, and the changes of its variables.
+/// Returns the action of a component in a step, and the changes of its variables.
 std::string component_step_text(const runs::Step& step, const std::string& component) {
     std::vector<std::string> parts;
     if (step.event.component == component) parts.push_back(runs::text_of(step.event));
@@ -313,7 +314,7 @@ const runs::Machine* find(const std::vector<runs::Machine>& machines, const std:
     return found == machines.end() ? nullptr : &*found;
 }
 
-/// The last part of the name if it is unique, otherwise all parts but the first.
+/// Returns the last part of the name if it is unique, otherwise all parts but the first.
 std::string ReportPage::lane_name(const std::string& component) const {
     const auto last = [](const std::string& name) { return name.substr(name.rfind(':') + 1); };
     const auto alike =
@@ -323,8 +324,8 @@ std::string ReportPage::lane_name(const std::string& component) const {
     return component.substr(whole == std::string::npos ? 0 : whole + 2);
 }
 
-/// The variables of machines in which a variable changed, by the machine's number. An entry contains the name, the
-/// value and whether it changed.
+/// Returns the variables of all machines in which a variable changed, by the machine's number. Each entry contains the
+/// name, the value and whether the value changed.
 std::string ReportPage::values_json(const std::vector<runs::Machine>& before,
                                     const std::vector<runs::Machine>& after) const {
     diagnostics::Json all = diagnostics::Json::object();
@@ -380,8 +381,8 @@ void ReportPage::write_row(std::size_t number, const runs::Step* step, const std
                         step == nullptr ? "" : also_possible(*step));
 }
 
-/// The widths of the columns. On screen, each row has its own layout with fixed columns, so that browsers can skip rows
-/// outside the view.
+/// Returns a style with the widths of the columns. On screen, each row has its own layout with fixed columns, so that
+/// browsers can skip rows outside the view.
 std::string column_style(const std::string& id, std::size_t lanes, bool timed, bool seconds) {
     const int time = seconds ? 9 : 4;
     return fmt::format(
@@ -427,7 +428,7 @@ void ReportPage::write_steps(const std::string& id, const runs::Run& run) {
     write_cycles(run);
 }
 
-/// RoboSim: the cycles of the run.
+/// Writes the cycles of a run of a RoboSim component.
 void ReportPage::write_cycles(const runs::Run& run) {
     const std::vector<runs::RunCycle> cycles = runs::cycles_of(run);
     if (cycles.empty()) return;
@@ -461,7 +462,7 @@ void ReportPage::write_scope_legend(const runs::Run& run) {
                             owed ? "<span class=\"owed\">double bar</span>: the claim waits for something" : "");
 }
 
-/// The elements that some step of the run marks, by machine.
+/// Returns, for each machine, the elements that some step of the run marks.
 std::vector<std::set<std::string>> ReportPage::marked_elements(const runs::Run& run) const {
     std::vector<std::set<std::string>> result(machines_.size());
     const auto add = [&](const Marks& marks) {
@@ -596,7 +597,7 @@ void ReportPage::write_conformance() {
     out_ += "</section>\n";
 }
 
-/// The elements for which a claim was checked, but which no run exercises.
+/// Returns the elements that no run exercises, if a claim asks whether they are exercised.
 std::set<std::string> ReportPage::unexercised_elements() const {
     std::set<std::string> result, exercised;
     for (const driver::AssertionReport& assertion : report_.assertions) {

@@ -17,8 +17,8 @@ namespace robochart::app {
 [[nodiscard]] std::string render_html(const Report&, const std::vector<driver::Part>& parts, const RunRecord&,
                                       diagnostics::Budget&);
 
-/// The page of a run that ended early, rendered by `page`. If `may_draw` is true, no other thread changes the parts,
-/// and diagrams are included if they can be drawn quickly.
+/// Returns the page of a run that ended early, rendered by `page`. `may_draw` is true if no other thread changes the
+/// parts. The page then contains the diagrams, if they can be drawn quickly.
 [[nodiscard]] std::string last_page(
     const std::vector<driver::Part>& parts, bool may_draw,
     const std::function<std::string(const std::vector<driver::Part>&, diagnostics::Budget&)>& page);

@@ -14,7 +14,7 @@
 namespace robochart::app {
 namespace {
 
-/// The contents of all style elements of an HTML text.
+/// Returns the contents of all style elements of an HTML text.
 std::set<std::string> styles_of(std::string_view text) {
     constexpr std::string_view begin = "<style>", end = "</style>";
     std::set<std::string> result;

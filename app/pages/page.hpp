@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A self-contained page is one file that needs no network and no other file. It runs only the script that it contains,
-// which a Content Security Policy (Level 3) allows by hash.
+// Renders self-contained pages. Such a page needs no network and no other file. It runs only the script that it
+// contains, which a Content Security Policy (Level 3) allows by hash.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace robochart::app {
 
-/// The text of app/pages/parts/`path`.
+/// Returns the text of app/pages/parts/`path`.
 [[nodiscard]] std::string page_part(std::string_view path);
 
 /// The contents of a page. Foreign text must be escaped already.
@@ -23,7 +23,8 @@ struct Page {
 
 [[nodiscard]] std::string page_text(const Page&);
 
-/// Data for the script of a page: JSON in an element with this id, escaped so that the text cannot end the element.
+/// Returns an element with JSON data for the script of a page. The data are escaped, so that they cannot end the
+/// element.
 [[nodiscard]] std::string page_data(std::string_view id, std::string json);
 
 }  // namespace robochart::app

@@ -15,7 +15,7 @@
 namespace robochart::app {
 namespace {
 
-/// "Forward", "initial junction i", "ref EPuck, turned": the text for the box at an end of a line.
+/// Returns the text for the box at an end of a line: "Forward", "initial junction i", "ref EPuck, turned".
 std::string end_text(const diagrams::Picture& picture, const diagrams::Outline& outline,
                      const diagrams::Elements& elements, std::size_t end) {
     const diagrams::PictureBox& box = picture.boxes[end];
@@ -52,7 +52,7 @@ PartDiagrams::PartDiagrams(const std::vector<driver::Part>& parts, diagnostics::
 
 namespace {
 
-/// The paths of a project's texts.
+/// Returns the paths of a project's texts.
 std::set<std::string> paths_of(const driver::Project& project) {
     std::set<std::string> paths;
     for (std::size_t i = 0; i < project.sources.size(); ++i)

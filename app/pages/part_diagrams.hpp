@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagrams of a run's parts. Finds the diagram element for a place or name of the model. The elements of all parts
-// are numbered consecutively, so that their ids are unique in a page.
+// Makes the diagrams of a run's parts, and finds the diagram element for a place or name of the model. The elements of
+// all parts are numbered consecutively, so that their ids are unique in a page.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,11 @@ struct PartSubject {
 
 class PartDiagrams {
 public:
-    /// Parts that could not be read have no diagrams, nor do parts with the same texts as an earlier one.
+    /// Parts that could not be read have no diagrams. A part with the same texts as an earlier part has no diagrams
+    /// either.
     PartDiagrams(const std::vector<driver::Part>& parts, diagnostics::Budget& budget);
-    /// For projects that were loaded separately. If two projects have the same texts, only the first has diagrams, and
-    /// places of the second are found in these.
+    /// Constructor for projects that were loaded separately. If two projects have the same texts, only the first has
+    /// diagrams, which then also show places of the second.
     PartDiagrams(const std::vector<driver::Project*>& projects, diagnostics::Budget& budget);
 
     /// The subjects in the order of the model's text.
@@ -42,25 +43,25 @@ public:
     /// subject's project.
     [[nodiscard]] const diagnostics::Diagnostics& stored_findings() const { return stored_findings_; }
     void explain_layout(const PartSubject& subject) const;
-    /// The id of the element that begins at a place; "" if there is none.
+    /// Returns the id of the element that begins at a place; "" if there is none.
     [[nodiscard]] std::string id_at(const runs::Place& place) const;
     [[nodiscard]] std::string id_at(const diagnostics::SourceManager& sources, diagnostics::Span span) const;
-    /// The id of the state or transition with this name in the resolved model; "" if no diagram shows it.
+    /// Returns the id of the state or transition with this name in the resolved model; "" if no diagram shows it.
     [[nodiscard]] std::string id_of_name(const std::string& element) const;
 
-    /// The id of the element that causes an event; "" if no diagram shows it.
+    /// Returns the id of the element that causes an event; "" if no diagram shows it.
     [[nodiscard]] std::string id_of_event(const runs::Event& event) const;
 
     /// Additional HTML classes of groups, by element id.
     using Classes = std::map<std::string, std::string>;
-    /// The diagram for a page, with a text description of its lines; if it is too large, a paragraph with the reason.
-    /// All ids begin with `prefix`.
+    /// Returns the diagram for a page, with a text description of its lines. If the diagram is too large, returns a
+    /// paragraph that says so. All ids begin with `prefix`.
     [[nodiscard]] std::string draw_diagram(const PartSubject& subject, const std::string& prefix,
                                            const Classes& = {}) const;
-    /// The diagram of the component with this qualified name; "" if it has no diagram.
+    /// Returns the diagram of the component with this qualified name; "" if it has no diagram.
     [[nodiscard]] std::string draw_diagram(const std::string& component, const std::string& prefix,
                                            const Classes& = {}) const;
-    /// The diagrams of the operations that contain one of these elements, by id.
+    /// Returns the diagrams of the operations that contain one of these elements, given by their ids.
     struct Drawn {
         std::string name, diagram;
     };

@@ -37,7 +37,7 @@ constexpr std::size_t most_line_trials = 20;
 /// Links between robots are drawn for at most this many robots.
 constexpr std::size_t most_linked = 300;
 
-/// "1 trial", "3 trials".
+/// Returns "1 trial", "3 trials".
 std::string counted(std::size_t count, const char* noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
@@ -78,7 +78,7 @@ private:
         return kind.project->system.machines[machine.machine.index];
     }
     [[nodiscard]] bool has_several_kinds() const { return run_.kinds.size() > 1; }
-    /// "state of rig::go"; with a number if each kind has its own machines.
+    /// Returns "state of rig::go", with a number if each kind has its own machines.
     [[nodiscard]] std::string title_of(std::size_t number) const {
         const std::string& name = machines_[number].name;
         if (has_several_kinds())
@@ -369,8 +369,8 @@ void SimulationPage::robots_at_the_end(const simulation::TrialResult& trial) {
     out_ += "</tbody></table></details>\n";
 }
 
-/// The active elements of the diagram for each state of a machine, by kind of robots: the state and the states that
-/// contain it.
+/// Returns the active elements of the diagram for each state of a machine, by kind of robots. They are the state and
+/// the states that contain it.
 Json SimulationPage::element_ids(std::size_t number) const {
     Json states = Json::array();
     for (const KindModel& kind : run_.kinds)

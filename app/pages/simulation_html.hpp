@@ -15,7 +15,7 @@
 
 namespace robochart::app {
 
-/// The model that drives a kind of robots, and whose diagrams are shown.
+/// The model that drives a kind of robots. Its diagrams are shown.
 struct KindModel {
     driver::Project* project = nullptr;
     const cpp_emit::DriveEmission* emission = nullptr;
@@ -28,9 +28,9 @@ struct SimulationRun {
     const simulation::Machines& machines;  ///< the machines of all kinds of robots
     const simulation::RunResult& result;
     std::string simulator;           ///< "" for the built-in world
-    std::string monitors;            ///< one line about what they observed; "" without monitors
+    std::string monitors;            ///< one line about what the monitors observed; "" without monitors
     std::string notes;               ///< lines about monitors and about files that were not written
-    std::vector<std::string> files;  ///< written with the page
+    std::vector<std::string> files;  ///< files written together with the page
 };
 
 [[nodiscard]] std::string render_simulation_html(const SimulationRun&, const Options&);

@@ -23,7 +23,7 @@ std::size_t scaled_share(double value, double low, double width) {
     return static_cast<std::size_t>(std::llround(last * std::clamp((value - low) / width, 0.0, 1.0)));
 }
 
-/// The rank of a trial for the selection. Trials with lower ranks are selected first.
+/// Returns the rank of a trial for the selection. Trials with lower ranks are selected first.
 int rank_of_trial(const simulation::Scenario& scenario, const simulation::TrialResult& trial) {
     if (trial.stop) return 0;
     for (std::size_t b = 0; b < scenario.bands.size() && b < trial.statistics.size(); ++b) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recorded trials as compact data for the script of a page: the position of each robot and the state of each of its
-// machines, frame by frame.
+// Encodes recorded trials as compact data for the script of a page. The data contain the position of each robot and the
+// state of each of its machines, frame by frame.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@
 
 namespace robochart::app {
 
-/// The data that a page shows, limited so that the page stays small. It contains some trials (numbered from 0) and
-/// robots. Of the recorded points in time it contains every `every`-th, and the last.
+/// The data that a page shows, limited so that the page stays small. They contain some of the trials (numbered from 0)
+/// and some of the robots. They contain every `every`-th of the recorded points in time, and the last.
 struct ShownTrials {
     std::vector<std::size_t> trials;
     std::size_t robots = 0;
@@ -27,15 +27,17 @@ struct ShownTrials {
 [[nodiscard]] ShownTrials shown_trials(const simulation::Scenario&, const simulation::RunResult&, std::size_t machines,
                                        std::size_t most_letters = 650'000);
 
-/// A number from 0 to 4095 as two of the characters A-Z a-z 0-9 - _.
+/// Encodes a number from 0 to 4095 as two of the characters A-Z a-z 0-9 - _.
 [[nodiscard]] std::string two_letters(std::size_t number);
 
-/// A frame: for each robot x, y (from the left and the top; 4095 is the whole width and height), the heading (4096 is a
-/// full turn counter-clockwise), and the number of the state of each machine, each in two characters.
+/// Encodes a frame. Each number has two characters. For each robot, the numbers are x, y (from the left and the top;
+/// 4095 is the whole width and height), the heading (4096 is a full turn counter-clockwise), and the state of each
+/// machine.
 [[nodiscard]] std::string frame_letters(const simulation::View&, const simulation::Frame&, std::size_t robots,
                                         std::size_t machines);
 
-/// `view`, `robots`, `machines` (the number) and `trials[]`: `number` (from 1), `times[]` and `frames[]`.
+/// Returns an object with `view`, `robots`, `machines` (their number) and `trials[]`. Each trial has `number` (from 1),
+/// `times[]` and `frames[]`.
 [[nodiscard]] diagnostics::Json trials_json(const simulation::View&, const simulation::RunResult&, const ShownTrials&,
                                             std::size_t machines);
 

@@ -37,14 +37,16 @@ void add(prism::PropertyFile& all, prism::PropertyFile more) {
     all.properties.insert(all.properties.end(), more.properties.begin(), more.properties.end());
 }
 
-/// Finds the label with which `emit prism` marks states whose steps are omitted. No such state may be reachable.
+/// Finds the label with which `emit prism` marks states whose steps are omitted. A state with this label must not be
+/// reachable.
 void note_left_out(std::string_view text, prism::CheckedModel& model) {
     if (!prism_emit::is_of_robochart(text)) return;
     for (const prism::Definition& label : model.labels)
         if (label.name.text == prism_emit::left_out_label) model.left_out = label.body;
 }
 
-/// The uniform scheduler chooses every combination of commands with equal probability, which gives a dtmc.
+/// Applies the uniform scheduler, which chooses every combination of commands with equal probability. The result is a
+/// dtmc.
 void resolve_choices(const Options& options, LoadedModel& loaded) {
     if (loaded.model->kind != prism::ModelKind::mdp) return;
     if (options.probability.scheduler == driver::Scheduler::uniform) {
@@ -55,7 +57,7 @@ void resolve_choices(const Options& options, LoadedModel& loaded) {
     }
 }
 
-/// The parts of "N=4:6,p=max(1,2)". A comma between parentheses separates arguments.
+/// Splits "N=4:6,p=max(1,2)" into its parts. A comma between parentheses separates arguments, not parts.
 std::vector<std::string> split_settings(const std::string& list) {
     std::vector<std::string> settings(1);
     int depth = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The input of the verb `prism`: a model and properties, parsed and checked, and the values of their constants.
+// Loads the input of the verb `prism`: a model and properties, parsed and checked, and the values of their constants.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct LoadedModel {
     diagnostics::Diagnostics diagnostics;
     std::optional<prism::ModelKind> kind;      ///< as written; no value if it could not be read
     std::optional<prism::CheckedModel> model;  ///< a dtmc if a scheduler was applied to an mdp
-    bool scheduled = false;                    ///< a scheduler was applied to an mdp
+    bool scheduled = false;                    ///< true if a scheduler was applied to an mdp
     prism::CheckedProperties properties;
 };
 
@@ -32,7 +32,7 @@ struct Experiment {
     std::vector<prism::Values> of_model, of_properties;
 };
 
-/// Throws UsageError.
+/// Parses the values that the command line gives. Throws UsageError if they are wrong.
 [[nodiscard]] Experiment make_experiment(const LoadedModel& loaded, const Options& options);
 
 }  // namespace robochart::app

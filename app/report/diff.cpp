@@ -30,14 +30,14 @@ struct Edit {
     std::size_t after;   ///< line of the new text
 };
 
-/// One step of the search: the furthest old line reached on each diagonal.
+/// The result of one step of the search: the furthest old line reached on each diagonal.
 using Frontier = std::vector<std::ptrdiff_t>;
 
 class Search {
 public:
     Search(const Lines& before, const Lines& after) : before_(before), after_(after) {}
 
-    /// The edits in order. If more than `most` steps were needed, all lines are replaced.
+    /// Returns the edits in order. If more than `most` steps would be needed, all lines are replaced.
     std::vector<Edit> run();
 
 private:
@@ -113,7 +113,7 @@ std::vector<Edit> Search::run() {
     return replace_all();
 }
 
-/// The edits between two texts, including the common lines at both ends.
+/// Returns the edits between two texts, including the common lines at both ends.
 std::vector<Edit> edits_between(const Lines& before, const Lines& after) {
     const std::size_t shorter = std::min(before.size(), after.size());
     std::size_t head = 0;
@@ -160,7 +160,7 @@ std::string hunk_text(Place begin, Place end, const Lines& before, const Lines& 
     return out;
 }
 
-/// The end of the hunk that begins at `change`. Changes that are closer than twice the context are in one hunk.
+/// Returns the end of the hunk that begins at `change`. Changes that are closer than twice the context are in one hunk.
 Place hunk_end(Place change, Place end, std::ptrdiff_t context) {
     for (;;) {
         const Place quiet = std::find_if_not(change, end, is_change);

@@ -16,7 +16,7 @@ using diagnostics::Json;
 using diagnostics::json_array;
 using Kind = prism::Result::Kind;
 
-/// A bound or value as a JSON number, or "Infinity".
+/// Returns a bound or value as a JSON number, or "Infinity".
 Json number_json(double value) {
     if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
     return value;
@@ -51,7 +51,7 @@ Json real_json(const prism::Real& value) {
 
 namespace {
 
-/// "(ci, 1000 paths of 4.6 steps, 1 to 31)".
+/// Returns "(ci, 1000 paths of 4.6 steps, 1 to 31)".
 std::string paths_text(const prism::Estimate& estimate) {
     constexpr double few = 10;
     const std::string mean = estimate.mean_steps < few ? fmt::format("{:.2g}", estimate.mean_steps)
@@ -60,7 +60,7 @@ std::string paths_text(const prism::Estimate& estimate) {
                        mean, estimate.least_steps, estimate.most_steps);
 }
 
-/// "0.384 +- 0.04 at 99 %".
+/// Returns "0.384 +- 0.04 at 99 %".
 std::string estimate_text(const prism::Estimate& estimate) {
     if (std::isinf(estimate.mean)) return "Infinity, since a path never arrives";
     return fmt::format("{:.6g} +- {:.3g} at {:.6g} %", estimate.mean, *estimate.width, 100 * (1 - estimate.alpha));
@@ -147,7 +147,7 @@ std::string value_of(const std::string& name, const PrismRun& run, const PrismAn
     return "";
 }
 
-/// The constants that take several values.
+/// Returns the constants that take several values.
 NamedValues varying(const PrismReport& report, const PrismRun& run, const PrismAnswer& answer) {
     NamedValues all = run.constants;
     all.insert(all.end(), answer.constants.begin(), answer.constants.end());
@@ -160,7 +160,7 @@ NamedValues varying(const PrismReport& report, const PrismRun& run, const PrismA
     return all;
 }
 
-/// "0.25", "0.333333".
+/// Returns "0.25", "0.333333".
 std::string total_text(const prism::Enclosure& total) {
     return total.is_exact() ? double_text(total.low) : fmt::format("{:.6g}", total.middle());
 }
@@ -171,7 +171,7 @@ const char* way_text(const prism::Counterexample& found) {
                        : "after which the formula cannot hold any more";
 }
 
-/// The most probable path, step by step.
+/// Returns the most probable path, step by step.
 std::string counterexample_text(const PrismReport& report, const prism::Counterexample& found,
                                 const std::string& indent) {
     constexpr std::size_t most = 3;
@@ -288,7 +288,7 @@ Json run_json(const PrismReport& report, const PrismRun& run) {
     return json;
 }
 
-/// A cell of a CSV file (RFC 4180).
+/// Quotes a cell of a CSV file (RFC 4180).
 std::string csv_cell(const std::string& text) {
     if (text.find_first_of("\",\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
@@ -296,7 +296,7 @@ std::string csv_cell(const std::string& text) {
     return quoted + "\"";
 }
 
-/// The names of all constants, in the order of first occurrence.
+/// Returns the names of all constants, in the order of first occurrence.
 std::vector<std::string> names_of(const PrismReport& report) {
     std::vector<std::string> names;
     const auto add = [&](const NamedValues& constants) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of `prism` as data, and their output as text, JSON (robochart-verify/prism/1) and CSV.
+// Defines the results of `prism` as data, and writes them as text, JSON (robochart-verify/prism/1) and CSV.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct PrismAnswer {
     std::size_t property = 0;
     NamedValues constants;
     prism::Result result;
-    std::string error;  ///< why it could not be evaluated; "" if it was
+    std::string error;  ///< why the property could not be evaluated; "" if it was
     std::optional<prism::Counterexample> counterexample;
 };
 
@@ -32,7 +32,7 @@ struct PrismAnswer {
 struct PrismRun {
     NamedValues constants;
     std::uint64_t states = 0, choices = 0, transitions = 0, initial = 0, deadlocks = 0;
-    double seconds = 0;  ///< to explore the states
+    double seconds = 0;  ///< time to explore the states
     bool explored = false;
     std::vector<PrismAnswer> answers;
 };
@@ -52,23 +52,23 @@ struct PrismReport {
     std::string limit;  ///< the limit that ended the run; "" if none did
 };
 
-/// The interval around a number. It is the enclosure of a computed number. For an estimate it is the interval with the
-/// best coverage, which is that of Clopper and Pearson if the samples are successes and failures.
+/// Returns the interval around a number. For a computed number, it is the enclosure. For an estimate, it is the
+/// interval with the best coverage, which is that of Clopper and Pearson if the samples are successes and failures.
 [[nodiscard]] prism::Enclosure interval_of(const prism::Result& result);
-/// "0.384 +- 0.04 at 99 % (ci, 1000 paths of 4.6 steps, 1 to 31)", or "true (sprt, ...)".
+/// Returns "0.384 +- 0.04 at 99 % (ci, 1000 paths of 4.6 steps, 1 to 31)", or "true (sprt, ...)".
 [[nodiscard]] std::string sampled_text(const prism::Result& result);
-/// "Clopper-Pearson: from 0.34 to 0.42"; "" if the samples are not successes and failures.
+/// Returns "Clopper-Pearson: from 0.34 to 0.42"; "" if the samples are not successes and failures.
 [[nodiscard]] std::string binomial_text(const prism::Result& result);
-/// An estimated number as {"value", "low", "high"}: the mean and the bounds of `interval_of`.
+/// Returns an estimated number as {"value", "low", "high"}: the mean and the bounds of `interval_of`.
 [[nodiscard]] diagnostics::Json interval_json(const prism::Result& result);
-/// The method, the samples and the intervals.
+/// Returns the method, the samples and the intervals.
 [[nodiscard]] diagnostics::Json estimate_json(const prism::Estimate& estimate);
-/// "0.5", "1/3", "0.333333 (from 0.3333331 to 0.3333335)".
+/// Returns "0.5", "1/3" or "0.333333 (from 0.3333331 to 0.3333335)".
 [[nodiscard]] std::string value_text(const prism::Real& value);
-/// {"value", "low", "high"}, and "exact" if it is a fraction.
+/// Returns {"value", "low", "high"}, and "exact" if the number is a fraction.
 [[nodiscard]] diagnostics::Json real_json(const prism::Real& value);
 
-/// 2 if there is an error, otherwise 1 if a property is false, otherwise 3 if one is not decided.
+/// Returns 2 if there is an error, otherwise 1 if a property is false, otherwise 3 if one is not decided, otherwise 0.
 [[nodiscard]] Exit exit_of(const PrismReport& report);
 [[nodiscard]] std::string prism_text(const PrismReport& report, const Options& options);
 [[nodiscard]] std::string prism_json(const PrismReport& report);

@@ -63,8 +63,8 @@ const char* counterexample_type(ViolationKind kind) {
     return "";
 }
 
-/// The behaviour of each part at the end of the run. The offending event is separate from the trace; a loop and an
-/// acceptance are added to the trace.
+/// Writes the behaviour of each part at the end of the run. The offending event is separate from the trace; a loop and
+/// an acceptance are added to the trace.
 class Behaviours {
 public:
     Behaviours(const refine::Counterexample& counterexample, EventMap& events, const Options& options)
@@ -89,7 +89,7 @@ public:
         json["states"] = std::move(states);
         return json;
     }
-    /// The run that accepts the event that the counterexample refuses. This event is the last step of the run.
+    /// Writes the run that accepts the event that the counterexample refuses. This event is the last step of the run.
     Json accepting_json(const std::string& name) {
         Json json{{"machine_name", name}, {"type", "trace"}};
         std::vector<Event> trace;
@@ -164,7 +164,7 @@ private:
         }
         return "min_acceptance";
     }
-    /// A state that can terminate may always do so, so its least acceptance is {✓}.
+    /// Returns the least acceptance. A state that can terminate may always do so, so its least acceptance is {✓}.
     static process::EventSet least_acceptance(const process::EventSet& offered) {
         const bool terminates = !offered.empty() && offered.front() == process::tick;
         return terminates ? process::EventSet{process::tick} : offered;
@@ -210,7 +210,7 @@ Json script_counterexample_json(const ScriptAssertion& assertion, EventMap& even
     return json;
 }
 
-/// 1, 0 or null, as in FDR's output.
+/// Returns 1, 0 or null, as in FDR's output.
 Json result_number(driver::Answer answer) {
     if (answer == driver::Answer::holds) return 1;
     if (answer == driver::Answer::fails) return 0;

@@ -62,8 +62,8 @@ std::string not_allowed(const refine::Counterexample& c, const Names& names, con
     return fmt::format("where the specification does not allow {}, only {}", event, sets_text(names, c.required));
 }
 
-/// If the specification has no stable state after the trace, it has no failures for this trace in the failures model.
-/// It then allows no stable state of the implementation.
+/// Describes a refusal. If the specification has no stable state after the trace, it has no failures for this trace in
+/// the failures model. It then allows no stable state of the implementation.
 std::string refusal(const refine::Counterexample& c, const Names& names) {
     if (c.required.empty())
         return fmt::format(
@@ -74,7 +74,7 @@ std::string refusal(const refine::Counterexample& c, const Names& names) {
                        sets_text(names, c.required));
 }
 
-/// The run that refuses the event, and the run that accepts it if it is known.
+/// Describes the run that refuses the event and, if it is known, the run that accepts the event.
 std::string nondeterminism_text(const refine::Counterexample& c, const Names& names, const std::string& event) {
     std::string out = fmt::format("then refuses {}: the state offers {}", event, names.set_text(c.offered));
     if (c.accepting.empty()) return out + fmt::format("; after the same events it can also accept {}", event);
@@ -82,7 +82,7 @@ std::string nondeterminism_text(const refine::Counterexample& c, const Names& na
     return out + fmt::format("\n                 and accepts {} after {}", event, names.run_text(before));
 }
 
-/// The offending event after the trace, with the events that the specification allows.
+/// Describes the offending event after the trace, with the events that the specification allows.
 std::string offence_text(const refine::Counterexample& c, const Names& names) {
     const std::string event = c.event ? names.event_text(*c.event) : "";
     switch (c.kind) {

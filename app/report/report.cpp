@@ -30,7 +30,7 @@ std::string_view outcome_word(conformance::Outcome outcome) {
 
 using diagnostics::Paint;
 
-/// A verdict at the beginning of a line, padded to the width of the longest verdict.
+/// Returns a verdict for the beginning of a line, padded to the width of the longest verdict.
 std::string padded_verdict(std::string_view word, Paint paint, bool color) {
     constexpr std::size_t widest = 12;
     return fmt::format("  {}{:<{}} ", diagnostics::paint_text(word, paint, color), "",
@@ -57,7 +57,7 @@ bool has_statistics(const driver::AssertionReport& a) {
     return a.answer == driver::Answer::holds || a.answer == driver::Answer::fails || a.statistics.states > 0;
 }
 
-/// The effect of the symmetry reduction; "" if no components are equal.
+/// Describes the effect of the symmetry reduction; "" if no components are equal.
 std::string symmetry_text(const refine::Statistics& size) {
     if (size.distinguished > 0)
         return fmt::format(
@@ -78,13 +78,13 @@ std::string proof_text(const refine::Statistics& size) {
     return reason.empty() ? "" : fmt::format("               {}\n", reason);
 }
 
-/// The place where a run that several components share is printed, and the other components with the same run.
+/// A run that several components share: where it is printed, and the other components.
 struct SharedRun {
-    std::string shown_at;             ///< "module P::M"; "": with this assertion
+    std::string shown_at;             ///< "module P::M"; "" if it is printed with this assertion
     std::vector<std::string> others;  ///< components with the same run
 };
 
-/// The run of the model with its raw events.
+/// Returns the run of the model, with its raw events if the options request them.
 std::string run_lines(const driver::AssertionReport& a, const Options& options) {
     if (!a.run) return a.counterexample;
     std::string out = runs::text_of(*a.run, indent_of_runs);
@@ -98,7 +98,7 @@ std::string run_lines(const driver::AssertionReport& a, const Options& options) 
 /// The number of entries of a basis that are shown per kind. JSON, SARIF and the page list all.
 constexpr std::size_t listed_grounds = 8;
 
-/// The text after the verdict. A core property has no title, because it is listed under its component.
+/// Returns the text after the verdict. A core property has no title, because it is listed under its component.
 std::string assertion_rest(const driver::AssertionReport& a, const std::string& subject, std::size_t width,
                            const Options& options, const SharedRun& shared) {
     const std::size_t padded = has_statistics(a) ? width : 0;
@@ -164,7 +164,7 @@ std::string in_cycles(const std::optional<std::uint64_t>& cycles) {
     return *cycles == 1 ? "1 cycle" : fmt::format("{} cycles", with_commas(*cycles));
 }
 
-/// "enters A, B, C and 2 more"
+/// Lists the first of some places: "enters A, B, C and 2 more".
 std::string first_of(const std::vector<std::string>& places) {
     constexpr std::size_t most = 3;
     const auto shown = places.begin() + static_cast<std::ptrdiff_t>(std::min(places.size(), most));
@@ -173,15 +173,15 @@ std::string first_of(const std::vector<std::string>& places) {
     return text;
 }
 
-/// The reason for the loss of an event, and the states where it is lost.
+/// Describes the reason for the loss of an event, and the states in which it is lost.
 std::string reason_text(const conformance::MissedEvent::Reason& reason) {
     const bool busy = reason.why == conformance::MissedWhile::busy;
     return fmt::format("{} while {}: {}", in_cycles(reason.cycles), busy ? "the machine is busy" : "no condition holds",
                        first_of(reason.places));
 }
 
-/// Writes the largest number of consecutive cycles in which an event is lost. If there are two reasons, it is written
-/// for both.
+/// Writes the largest number of consecutive cycles in which an event is lost. If there are two reasons, writes the
+/// number for each reason.
 void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
     for (const conformance::MissedEvent& missed_event : missed) {
         out += fmt::format("               event {} can be missed for ", missed_event.event);
@@ -202,7 +202,7 @@ void write_overtaken(std::string& out, const std::vector<conformance::OvertakenE
     }
 }
 
-/// Writes one answer to a claim about cycles: of the model in cycles, or of this code.
+/// Writes one answer to a claim about cycles, either for the model in cycles or for this code.
 void write_cycle_answer(std::string& out, const conformance::CycleAnswers& claim, std::string_view subject,
                         const conformance::CycleAnswer& answer) {
     std::string_view verdict = "not decided";
@@ -255,7 +255,7 @@ void write_api_difference(std::string& out, const conformance::Result& r) {
     write_behaviour(out, "dispatch", r.api_difference->dispatched);
 }
 
-/// "scan, ranges: 15 classes by 3 conditions (all values)"
+/// Describes replaced data: "scan, ranges: 15 classes by 3 conditions (all values)".
 std::string data_text(const ir::ReplacedData& data) {
     const std::string names = fmt::format("{}", fmt::join(data.places, ", "));
     if (!data.all_values) return fmt::format("{}: {} (all that occur)", names, count_text(data.classes, "value"));
@@ -284,7 +284,7 @@ void write_robot(std::string& out, const conformance::Result& r) {
     }
 }
 
-/// The lines that state for which values the result holds; "" if no search for all values was possible.
+/// Returns lines that state for which values the result holds; "" if no search for all values was possible.
 std::string conformance_values(const conformance::Result& r) {
     std::string out;
     for (const ir::ReplacedData& data : r.all_values) out += fmt::format("               values {}\n", data_text(data));
@@ -296,7 +296,7 @@ std::string conformance_values(const conformance::Result& r) {
     return out + fmt::format("               {}: {}\n", what, r.not_for_all);
 }
 
-/// The text after the verdict.
+/// Returns the text after the verdict about a component's code.
 std::string conformance_rest(const ConformanceReport& c, const Options& options) {
     const conformance::Result& r = c.result;
     std::string out =
@@ -352,7 +352,7 @@ void write_sizes(std::string& out, const std::vector<driver::SizeReport>& sizes)
                            size_text(size.compressed));
 }
 
-/// The claims about cycles, and those that hold of the code.
+/// The number of claims about cycles, and how many of them hold.
 struct CycleCounts {
     std::size_t good = 0, all = 0;
 };
@@ -540,7 +540,7 @@ using SharedRuns = std::map<const driver::AssertionReport*, SharedRun>;
 /// Finds equal runs of core properties. A module, its controller and its machine often fail a property with the same
 /// run, which is printed only once.
 SharedRuns shared_runs(const Report& report, const Options& options) {
-    // The assertion that prints a run, by property and run.
+    // Maps each property and run to the assertion that prints the run.
     std::map<std::pair<std::string, std::string>, const driver::AssertionReport*> first;
     SharedRuns result;
     for (const driver::AssertionReport& a : report.assertions) {
@@ -553,7 +553,7 @@ SharedRuns shared_runs(const Report& report, const Options& options) {
     return result;
 }
 
-/// The title column is as wide as the widest title, up to 80 characters.
+/// Returns the blocks of all assertions. The title column is as wide as the widest title, up to 80 characters.
 std::string blocks_text(const Listed& listed, const std::string& subject, const Options& options, bool color,
                         const SharedRuns& shared) {
     std::size_t width = 0;
@@ -578,13 +578,14 @@ std::string assertions_text(const Report& report, const Options& options, bool c
     return heading + blocks_text(listed, report.subject, options, color, {});
 }
 
-/// A negative answer that is only true of the values of carriers says so.
+/// Adds to the words of a negative answer that it is limited to the values of the carriers, if a bound was reached.
 std::string limited(const driver::AssertionReport& a, const std::string& words) {
     const bool bounded = std::ranges::find(a.basis, driver::GroundKind::bound, &driver::Ground::kind) != a.basis.end();
     return bounded ? words + " with the values of the carriers" : words;
 }
 
-/// The informative properties of a component in one sentence. Unreachable states are listed with their places.
+/// Summarises the informative properties of a component in one sentence. Unreachable states are listed with their
+/// places.
 std::string information_text(const Listed& information) {
     std::vector<std::string> words;
     std::size_t reached = 0;
@@ -610,7 +611,7 @@ std::string information_text(const Listed& information) {
     return words.empty() ? "" : fmt::format("  {:<12} {}\n", "information", fmt::join(words, "; "));
 }
 
-/// The text about the core properties, by component.
+/// Returns the text about the core properties, by component.
 std::string core_text(const Report& report, const Options& options, bool color) {
     std::vector<std::string> components;
     std::map<std::string, std::pair<Listed, Listed>> parts;  // required properties, and informative ones
@@ -632,8 +633,8 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// Whether a verdict depends on the carriers, or may be missing because of them: they are too large, or a value lies
-/// outside its carrier.
+/// True if a verdict depends on the carriers, or may be missing because of them. It may be missing because a carrier is
+/// too large, or because a value is outside its carrier.
 bool depends_on_carriers(const Report& report) {
     const auto limits = [](const driver::Ground& ground) {
         return ground.kind == driver::GroundKind::bound || ground.kind == driver::GroundKind::carriers;
@@ -643,7 +644,8 @@ bool depends_on_carriers(const Report& report) {
     });
 }
 
-/// The data that classes replace in the claims above. If a verdict depends on carriers, also the data that keep them.
+/// Lists the data that classes replace in the claims above. If a verdict depends on carriers, also lists the data that
+/// keep their carriers.
 std::string data_lines(const Report& report) {
     std::string out;
     for (const ir::ReplacedData& data : report.data) out += fmt::format("  values       {}\n", data_text(data));
@@ -655,7 +657,7 @@ std::string data_lines(const Report& report) {
     return out;
 }
 
-/// If the report contains a word in place of a number of seconds, explains this word.
+/// Explains the word `known`, which may replace a number of seconds; "" if the report does not contain it.
 std::string legend_text(const Report& report, const Options& options) {
     const auto shown = [&](const driver::AssertionReport& a) {
         return !(a.core && a.core->information) &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of a run as data, and their output as text, JSON, SARIF and JUnit XML.
+// Defines the results of a run as data, and renders them as text, JSON, SARIF and JUnit XML.
 #pragma once
 
 #include <optional>
@@ -15,23 +15,23 @@
 
 namespace robochart::app {
 
-/// The answer as a word in data formats, such as "conforms".
+/// Returns the answer as a word for data formats, such as "conforms".
 [[nodiscard]] std::string_view name_of(conformance::Outcome);
-/// How an answer was found, as a word in data formats, such as "search".
+/// Returns how an answer was found, as a word for data formats, such as "search".
 [[nodiscard]] std::string_view proof_name(refine::DecidedBy);
-/// Why an answer needed no search, as a sentence without its full stop. "" if it needed one.
+/// Returns why an answer needed no search, as a sentence without its full stop; "" if a search was needed.
 [[nodiscard]] std::string_view proof_reason(refine::DecidedBy);
-/// The number of states and nodes of an answer by decision diagrams.
+/// Returns the number of states and nodes of an answer that decision diagrams found.
 [[nodiscard]] std::string diagrams_text(const refine::Statistics& size);
 
-/// A component, and the answer to whether its code conforms.
+/// A component, and the answer to the question whether its code conforms.
 struct ConformanceReport {
     std::string component;
-    std::optional<runs::Place> region;  ///< where it is declared
+    std::optional<runs::Place> region;  ///< where the component is declared
     conformance::Result result;
     double seconds = 0;
     std::string order = {};  ///< the declared order of events in a cycle: "estop first"; "" if there is none
-    std::vector<std::optional<runs::Place>> claim_regions = {};  ///< of Result::claims
+    std::vector<std::optional<runs::Place>> claim_regions = {};  ///< places of Result::claims
 };
 
 /// The two subjects for which a claim about control cycles is decided.
@@ -43,7 +43,7 @@ struct FileReport {
     std::size_t bytes = 0;
 };
 
-/// One of several models that has errors. Its claims are not decided, and the other models are checked without it.
+/// A model with errors among several models. Its claims are not decided, and the other models are checked without it.
 struct RefusedReport {
     std::string model;
     std::string diagnostics;  ///< schema "robochart-verify/diagnostics/1"
@@ -66,11 +66,11 @@ struct Report : driver::ClaimResults {
     std::string limit;             ///< why the run ended early; "" if it did not
 
     [[nodiscard]] Exit exit_code() const;
-    /// A suggestion if a limit ended a check or the run; otherwise "".
+    /// Returns a suggestion if a limit ended a check or the run; otherwise "".
     [[nodiscard]] std::string limit_advice() const;
     /// True if every assertion has an answer. An assertion has none if it was rejected, or if a limit was reached.
     [[nodiscard]] bool all_decided() const;
-    /// The number of assertions with this answer, without informative ones.
+    /// Returns the number of assertions with this answer, without informative ones.
     [[nodiscard]] std::size_t count_answers(driver::Answer) const;
 };
 
@@ -80,17 +80,17 @@ extern const std::string_view indent_of_runs;
 /// Renders the text for people. Foreign text in the report must be escaped already. Verdicts are coloured as the
 /// options require.
 [[nodiscard]] std::string render_text(const Report&, const Options&);
-/// The text of one assertion or one component, without colours.
+/// Returns the text of one assertion or one component, without colours.
 [[nodiscard]] std::string assertion_text(const driver::AssertionReport&, const std::string& subject);
 [[nodiscard]] std::string conformance_text(const ConformanceReport&);
-/// One answer to a claim about control cycles as text.
+/// Returns one answer to a claim about control cycles as text.
 [[nodiscard]] std::string cycle_answer_text(const conformance::CycleAnswers&, std::string_view subject,
                                             const conformance::CycleAnswer&);
-/// Schema "robochart-verify/report/1" (docs/cli.md).
+/// Renders JSON with the schema "robochart-verify/report/1" (docs/cli.md).
 [[nodiscard]] std::string render_json(const Report&);
-/// SARIF 2.1.0: claims that are false or unknown, each with its run as a code flow.
+/// Renders SARIF 2.1.0: the claims that are false or unknown, each with its run as a code flow.
 [[nodiscard]] std::string render_sarif(const Report&, const std::string& verb = "check");
-/// JUnit XML: one case per assertion and component.
+/// Renders JUnit XML with one case per assertion and component.
 [[nodiscard]] std::string render_junit(const Report&);
 
 }  // namespace robochart::app

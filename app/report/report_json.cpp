@@ -34,7 +34,7 @@ Json statistics_json(const refine::Statistics& s) {
     return json;
 }
 
-/// The counterexample as text, as events of the script, and as data.
+/// Writes the counterexample as text, as events of the script, and as data.
 Json run_counterexample_json(const runs::Run& run) {
     const auto loop = run.raw.end() - static_cast<std::ptrdiff_t>(run.raw_loop);
     Json json{{"text", runs::text_of(run, indent_of_runs)},

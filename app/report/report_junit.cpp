@@ -63,8 +63,8 @@ JunitCase case_of(const ConformanceReport& c) {
     return made;
 }
 
-/// A claim about control cycles: for the model in cycles, or for the generated code. If the claim holds of the code,
-/// the other answer is information.
+/// Makes the case of a claim about control cycles, for the model in cycles or for the generated code. If the claim
+/// holds for the code, the answer for the model is only information.
 JunitCase case_of(const conformance::CycleAnswers& claim, const conformance::CycleAnswer& answer,
                   std::string_view subject, const std::string& component) {
     using conformance::Outcome;
@@ -82,7 +82,7 @@ JunitCase case_of(const conformance::CycleAnswers& claim, const conformance::Cyc
     return made;
 }
 
-/// A case about the whole run, not about one claim.
+/// Makes a case about the whole run instead of one claim.
 JunitCase about_run(const std::string& name, const std::string& message, const std::string& text) {
     return {"run", name, CaseKind::error, message, text, 0};
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders the report as SARIF 2.1.0 (OASIS, 2020). There is a result for each assertion that fails or is not decided,
-// and for each component whose code does not conform. The steps of an assertion's run that have places are its code
-// flow (3.36). An unknown answer has the kind `open` (3.27.9), which is neither a failure nor a pass. A claim that is
-// true on some basis has the kind `informational`. Entries of the basis with a place are related locations (3.27.22);
-// the others are part of the message.
+// Renders the report as SARIF 2.1.0 (OASIS, 2020). The report contains a result for each assertion that fails or is not
+// decided, and for each component whose code does not conform. The code flow (3.36) of an assertion consists of the
+// steps of its run that have places. An unknown answer has the kind `open` (3.27.9), which is neither a failure nor a
+// pass. A claim that is true on some basis has the kind `informational`. Entries of the basis with a place are related
+// locations (3.27.22); the others are part of the message.
 #include <fmt/format.h>
 
 #include <array>
@@ -44,7 +44,7 @@ std::string step_text(const runs::Step& step, durations::Unit unit) {
     return step.time ? fmt::format("{}: {}", durations::time_text(*step.time, unit), step.event.text) : step.event.text;
 }
 
-/// The steps of the run that have places; null if there are none.
+/// Returns the steps of the run that have places; null if there are none.
 Json code_flow_json(const runs::Run& run) {
     Json locations = Json::array();
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
@@ -124,8 +124,8 @@ void add(const ConformanceReport& c, const std::string& file, Json& results) {
                                    c.component, c.region, file));
 }
 
-/// A claim about control cycles that fails or is not decided, for the model in cycles or for the code. If the claim
-/// holds of the code, the other answer is information.
+/// Adds a claim about control cycles that fails or is not decided, for the model in cycles or for the code. If the
+/// claim holds for the code, the answer for the model is only information.
 void add(const conformance::CycleAnswers& claim, const conformance::CycleAnswer& answer, std::string_view subject,
          const std::optional<runs::Place>& region, const std::string& file, Json& results) {
     using conformance::Outcome;
@@ -139,7 +139,7 @@ void add(const conformance::CycleAnswers& claim, const conformance::CycleAnswer&
         region, file));
 }
 
-/// The reason why the results are incomplete.
+/// Returns the reason why the results are incomplete.
 std::string why_incomplete(const Report& report) {
     if (!report.limit.empty()) return report.limit;
     if (!report.refused.empty()) return fmt::format("{} has errors", report.refused.front().model);

@@ -198,7 +198,7 @@ Json verdict_json(const RulesReport& report, const driver::RuleVerdict& verdict)
     return json;
 }
 
-/// The names of rules.
+/// Returns the names of the rules with these numbers.
 Json names_json(const RulesReport& report, const std::vector<std::size_t>& rules) {
     return json_array(rules, [&](std::size_t rule) { return report.rules[rule].name; });
 }
@@ -281,7 +281,7 @@ std::string rules_json(const RulesReport& report) {
     json["rules"] = json_array(report.rules, [](const RuleName& rule) {
         return Json{{"name", rule.name}, {"place", rule.place}};
     });
-    // The functions also need the names of the rules.
+    // Passes the report to the functions, because they also need the names of the rules.
     const auto listed = [&](const auto& entries, const auto& entry_json) {
         return json_array(entries, [&](const auto& entry) { return entry_json(report, entry); });
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of the verb `cspm` for one script as data; printed in the formats of FDR's `refines`: plain text and
-// JSON.
+// Defines the results of the verb `cspm` for one script as data, and prints them in the formats of FDR's `refines`:
+// plain text and JSON.
 #pragma once
 
 #include <map>
@@ -45,17 +45,18 @@ struct ScriptReport {
     std::vector<ScriptAssertion> assertions;
 };
 
-/// The basis of a verdict in JSON, in the form that all reports use.
+/// Returns the basis of a verdict in JSON, in the form that all reports use.
 [[nodiscard]] diagnostics::Json grounds_json(const driver::Basis&);
 [[nodiscard]] diagnostics::Json certificate_json(const driver::CertificateReport&);
 /// Stores the names of the events that the JSON of an assertion contains. They are copied because another thread may
 /// add events to the table while the JSON is printed.
 void name_events(ScriptAssertion&, const process::EventTable&, const Options&);
-/// One JSON object on one line, with the fields of FDR 4's `refines --format json` and additional ones (docs/cli.md).
+/// Returns one JSON object on one line, with the fields of FDR 4's `refines --format json` and additional fields
+/// (docs/cli.md).
 [[nodiscard]] std::string refines_json(const ScriptReport&, const Options&);
-/// The output of FDR 4's `refines` for one assertion.
+/// Returns the output of FDR 4's `refines` for one assertion.
 [[nodiscard]] std::string refines_plain(const ScriptAssertion&, const process::EventTable&, const Options&);
-/// The counterexample in our own format, with the behaviour of its parts. Every line is indented.
+/// Returns the counterexample in our own format, with the behaviour of its parts. Every line is indented.
 [[nodiscard]] std::string counterexample_text(const ScriptAssertion&, const process::EventTable&, const Options&);
 
 }  // namespace robochart::app

@@ -10,7 +10,8 @@
 
 namespace robochart::app {
 
-/// One line per part, with the parts of an operator indented. If there is no structure, a sentence says so.
+/// Returns one line per part, with the parts of an operator indented. If the structure is unknown, returns a sentence
+/// that says so.
 [[nodiscard]] std::string structure_text(const std::optional<process::Behaviour>&, const process::EventTable&);
 
 }  // namespace robochart::app

@@ -15,12 +15,12 @@ namespace {
 
 /// An answer for some values of the constants.
 struct PlottedAnswer {
-    std::string name;  ///< of its line; combinations of other constants are appended
+    std::string name;  ///< name of its line, with the values of the other constants
     NamedValues constants;
     const prism::Result* result;
 };
 
-/// The value of a constant: a whole number, a decimal or a fraction.
+/// Parses the value of a constant: a whole number, a decimal or a fraction.
 std::optional<double> constant_number(const std::string& text) {
     const auto decimal = [](std::string_view part) -> std::optional<double> {
         double value = 0;
@@ -38,7 +38,8 @@ std::optional<double> constant_number(const std::string& text) {
 
 using ValuesByName = std::map<std::string, std::set<std::string>>;
 
-/// The constant with the most values among those whose values are all numbers; "" if none has at least two.
+/// Returns the constant with the most values among the constants whose values are all numbers; "" if none of them has
+/// two or more values.
 std::string parameter_of(const ValuesByName& values) {
     std::string result;
     std::size_t most = 1;

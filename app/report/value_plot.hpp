@@ -9,10 +9,12 @@
 
 namespace robochart::app {
 
-/// Plots numbers against the constant with the most values, as SVG: one line for each property and each combination of
-/// the other constants. "" if no constant has several numeric values, or no property has a numeric answer.
+/// Plots numbers against the constant with the most values, as SVG. The plot has one line for each property and each
+/// combination of the other constants. Returns "" if no constant has several numeric values, or if no property has a
+/// numeric answer.
 [[nodiscard]] std::string value_plot(const PrismReport& report);
-/// The same plot for a probabilistic assertion. Over all schedulers, it has lines for the least and the greatest value.
+/// Returns the same plot for a probabilistic assertion. If all schedulers are considered, it has lines for the least
+/// and the greatest value.
 [[nodiscard]] std::string value_plot(const std::string& title, const driver::ProbabilityReport& report);
 
 }  // namespace robochart::app

@@ -39,7 +39,7 @@ bool is_of(const claims::Channel& channel, const cpp_emit::Port& port, bool inpu
     return false;
 }
 
-/// The event or operation of the claim that the controller does not have; "" if it has all.
+/// Returns an event or operation of the claim that the controller does not have; "" if it has all of them.
 std::string missing_channel(const CheckedClaim& claim, const cpp_emit::DriveEmission& emission) {
     for (const std::size_t number : driver::channels_of(claim)) {
         const claims::Channel& channel = claim.component.channels[number];
@@ -214,7 +214,7 @@ private:
     [[nodiscard]] driver::FollowedClaim::Drops drops(const CheckedClaim& claim, std::size_t kind) const {
         return dropped_events(*kinds_[kind].project, claim.component.path);
     }
-    /// Why the claim cannot be followed; "" if it can.
+    /// Returns the reason why the claim cannot be followed; "" if it can.
     [[nodiscard]] std::string reason_against(const CheckedClaim& claim, std::size_t kind) const {
         if (const std::string why = claims::why_not_monitored(claim); !why.empty())
             return fmt::format("{}: {}", claim.name, why);
@@ -226,7 +226,7 @@ private:
         return fmt::format("{}: the controller has no event and no operation `{}`", claim.name, missing);
     }
 
-    /// The claim of a measure is about the controller of one kind.
+    /// Adds the claim of a measure, which is about the controller of one kind.
     void add_measure(std::size_t number, const simulation::Measure& measure) {
         std::vector<std::string> names;
         for (std::size_t kind = 0; kind < scenario_.kind_count(); ++kind) {

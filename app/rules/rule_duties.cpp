@@ -19,7 +19,7 @@
 namespace robochart::app {
 namespace {
 
-/// The value of a measure in the rules; no value if the rules cannot express it.
+/// Returns the value of a measure as in the rules; no value if the rules cannot express it.
 std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_emit::Port& port, rc_value value) {
     const bool boolean = measure.type == sleec::MeasureType::boolean;
     const bool scale = measure.type == sleec::MeasureType::scale;

@@ -36,7 +36,7 @@ struct Unsayable {
     std::string why;
 };
 
-/// RoboSim: "pressed" of "P::S::registerRead.P::S::i_pressed.true"; "" of another event.
+/// RoboSim: returns "pressed" for "P::S::registerRead.P::S::i_pressed.true"; "" for other events.
 std::string register_name(const std::string& name) {
     for (const std::string_view channel : {"::registerRead.", "::registerWrite."}) {
         const std::size_t at = name.find(channel);
@@ -49,12 +49,13 @@ std::string register_name(const std::string& name) {
     return "";
 }
 
-/// True for a read of the register of a variable, whose text is "x = 3".
+/// True if the event reads the register of a variable. The text of such an event is "x = 3".
 bool reads_variable(const runs::Event& event) {
     return event.kind == Kind::read && event.text.find(" = ") != std::string::npos;
 }
 
-/// The values of an event in a log. RoboSim: the truth value that states whether a register is full is left out.
+/// Returns the values of an event in a log. For RoboSim, leaves out the truth value that states whether a register is
+/// full.
 std::vector<runs::Value> logged_values(const runs::Event& event) {
     std::vector<runs::Value> result = event.values;
     const bool of_event = event.kind == Kind::read && !reads_variable(event);
@@ -62,7 +63,7 @@ std::vector<runs::Value> logged_values(const runs::Event& event) {
     return result;
 }
 
-/// Throws Unsayable for composed values.
+/// Returns the event as a word of a log. Throws Unsayable for composed values.
 std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
     const runs::Event& event = offer.happening.event;
     if (auto word = log_word(event, offer.name, stepped)) return std::move(*word);
@@ -118,7 +119,7 @@ std::string log_text(const runs::Stepper& stepper, const Stepped& stepped) {
     return text;
 }
 
-/// A name made from a path: only letters, digits and _.
+/// Makes a name from a path. The name contains only letters, digits and _.
 std::string name_of(const std::string& path) {
     std::string name = std::filesystem::path(path).stem().string();
     for (char& c : name)
@@ -129,7 +130,7 @@ std::string name_of(const std::string& path) {
 /// The number of events in one definition, because the nesting of script texts is limited.
 constexpr std::size_t most_in_one = 100;
 
-/// The steps so far as definitions of processes; the first has this name.
+/// Returns the steps so far as definitions of processes. The first process is called `name`.
 std::string process_text(const runs::Stepper& stepper, const std::string& name) {
     std::string text = fmt::format("\t{} =", name);
     std::size_t events = 0;
@@ -142,7 +143,7 @@ std::string process_text(const runs::Stepper& stepper, const std::string& name) 
     return text + " STOP\n";
 }
 
-/// The claim that the steps so far are a trace of the component.
+/// Returns the claim that the steps so far are a trace of the component.
 std::string assertion_text(const runs::Stepper& stepper, const Stepped& stepped, const std::string& path) {
     const std::string name = name_of(path);
     const char* const time = stepped.time == csp_emit::Time::timed ? "timed" : "untimed";
@@ -162,7 +163,7 @@ struct Node {
     std::size_t parent = 0, offer = 0;
 };
 
-/// A cycle of a log: the words that the steps must match.
+/// A cycle of a log. Its words (events as in the log) must match the steps.
 struct Wanted {
     std::uint64_t line = 0;  ///< line of its first word
     std::set<std::string> inputs;
@@ -410,7 +411,7 @@ std::string log_head(const Stepped& stepped) {
 
 namespace {
 
-/// A log with the record of the run in a comment below its first line.
+/// Returns the log with the record of the run in a comment below its first line.
 std::string with_comment(std::string log, const RunRecord& record) {
     return log.insert(log.find('\n') + 1, fmt::format("// run: {}\n", run_line(record)));
 }

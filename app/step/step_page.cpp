@@ -49,7 +49,7 @@ private:
     std::map<std::string, std::size_t> numbers_;
 };
 
-/// A machine of the process: the instance, and its definition, whose diagram is drawn.
+/// A machine of the process, as an instance of a definition. The diagram shows the definition.
 struct Instance {
     std::string component, machine;
 };
@@ -95,7 +95,7 @@ private:
         return static_cast<std::size_t>(found - instances_.begin());
     }
 
-    /// [instance, text, place, [active elements], [name, value or -1, ...]]
+    /// Returns [instance, text, place, [active elements], [name, value or -1, ...]].
     Json machine_json(const runs::Machine& machine) {
         Json active = Json::array();
         for (const std::string& element : machine.active)
@@ -110,7 +110,7 @@ private:
                             text_number(place_text(machine.place)), std::move(active), std::move(values)});
     }
 
-    /// [text, place, hidden, role in a log, word in a log or -1, [instance, element, ...]]
+    /// Returns [text, place, hidden, role in a log, word in a log or -1, [instance, element, ...]].
     Json label_json(const Exploration::Label& label) {
         const runs::Event& event = label.happening.event;
         Json fired = Json::array();
@@ -131,20 +131,20 @@ private:
         fired.push_back(text_number(id));
     }
 
-    /// [component, text, reason, place]
+    /// Returns [component, text, reason, place].
     Json absence_json(const runs::Absence& absence) {
         return Json::array({text_number(absence.component), text_number(absence.text), text_number(absence.reason),
                             text_number(place_text(absence.place))});
     }
 
-    /// [text, offers or 0, part, ...]
+    /// Returns [text, offers or 0, part, ...].
     Json part_json(const Exploration::Part& part) {
         Json json = Json::array({text_number(part.text), text_number(part.offers)});
         for (const std::size_t child : part.parts) json.push_back(child);
         return json;
     }
 
-    /// [[machines], [label, target or -1, ...], [absences], process, error]
+    /// Returns [[machines], [label, target or -1, ...], [absences], process, error].
     Json state_json(const Exploration::State& state) {
         Json offers = Json::array();
         for (const Exploration::Transition& transition : state.offers) {
@@ -164,7 +164,8 @@ private:
     Strings strings_;
 };
 
-/// The contents that are visible without scripts: the first state. It is inserted into app/pages/parts/explorer.html.
+/// Writes the contents that are visible without scripts, which show the first state. They are inserted into
+/// app/pages/parts/explorer.html.
 class Body {
 public:
     Body(const Exploration& space, const Stepped& stepped) : space_(space), stepped_(stepped) {}
@@ -251,7 +252,7 @@ std::string figure_html(std::size_t machine, const std::string& caption, const s
         machine, xml_text(caption), xml_text(caption), drawn);
 }
 
-/// The diagrams of the machines, each followed by those of the operations that the machine can call.
+/// Returns the diagrams of the machines, each followed by the diagrams of the operations that the machine can call.
 std::string figures_of(const Exploration& space, const std::vector<Instance>& instances, const PartDiagrams& diagrams) {
     std::string text;
     for (std::size_t i = 0; i < instances.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `step --html`: a process as one page that contains its reachable states, for stepping in a browser.
+// Renders the page of `step --html`, which contains the reachable states of a process, for stepping in a browser.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace robochart::app {
 
-/// "17 states, all that can be reached", or a text with the limit that ended the exploration.
+/// Returns "17 states, all that can be reached", or a text with the limit that ended the exploration.
 [[nodiscard]] std::string counts_text(const runs::Exploration&);
 /// Renders the page. `parts` are those of the model, whose machines are drawn; empty for a process of a script.
 [[nodiscard]] std::string step_page(const runs::Exploration&, const Stepped&, const std::vector<driver::Part>& parts,

@@ -18,14 +18,14 @@
 namespace robochart::app {
 namespace {
 
-/// The number of logs whose first run is shown.
+/// The largest number of logs whose first run is shown.
 constexpr std::size_t most_replayed = 20;
 
 class Replays {
 public:
     explicit Replays(const Options& options) : options_(options) {}
 
-    /// The first run of the log, as far as the component can follow it.
+    /// Returns the first run of the log, as far as the component can follow it.
     runs::Run run_of_log(const ComparedLog& log) {
         runs::Stepper& stepper = stepper_of(log);
         // The constants need no check, because the log was compared with this model.
@@ -48,7 +48,7 @@ private:
     std::map<std::pair<driver::Project*, std::string>, std::unique_ptr<SteppedComponent>> components_;
 };
 
-/// "logged turn!3 in cycle 2 of run by hand; allowed: ..."
+/// Returns a reason such as "logged turn!3 in cycle 2 of run by hand; allowed: ...".
 std::string reason_of(const conformance::RunReport& wrong) {
     std::string text = fmt::format("run {}, cycle {}: {}", wrong.name.empty() ? "without a name" : wrong.name,
                                    wrong.cycle, wrong.what);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `conform --traces --html`: a page with logs; the first run of each is replayed on the diagrams of its machines.
+// Renders the page of `conform --traces --html`. It shows logs, and replays the first run of each log on the diagrams
+// of its machines.
 #pragma once
 
 #include <optional>
@@ -21,9 +22,9 @@ struct ComparedLog {
     std::optional<conformance::RunReport> wrong;  ///< the first run that is not accepted
 };
 
-/// Renders the page. `limit` is the reason why not all logs were compared, or "" if all were. If it is not "", no run
-/// is replayed. A run is shown as far as the model can follow it. If there are many logs, only the first ones are
-/// replayed. Polls the budget. Throws the exceptions of runs::Stepper.
+/// Renders the page. `limit` is the reason why not all logs were compared, or "" if all were compared. If `limit` is
+/// not "", no run is replayed. A run is shown as far as the model can follow it. If there are many logs, only the first
+/// ones are replayed. Polls the budget. Throws the exceptions of runs::Stepper.
 [[nodiscard]] std::string trace_page(const std::vector<ComparedLog>& logs, const std::vector<driver::Part>& parts,
                                      const Options& options, const std::string& limit);
 

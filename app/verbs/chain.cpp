@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `simulate` with a scenario that defines a chain: trials estimate the chain, the timed semantics of the model excludes
-// impossible transitions, and fresh trials may refute the chain.
+// Runs `simulate` with a scenario that defines a chain. Trials estimate the chain, the timed semantics of the model
+// excludes impossible transitions, and fresh trials may refute the chain.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ public:
         if (!project_.diagnostics.ok()) return show_refusal();
         result_.questions = questions.size();
         run_trials();
-        const bool stopped = !project_.diagnostics.ok();  // trials stopped
+        const bool stopped = !project_.diagnostics.ok();  // true if trials stopped
         if (stopped || (!result_.interrupted && !answer_questions(questions))) {
             show_diagnostics(project_, options_);
             return Exit::failed;
@@ -79,7 +79,8 @@ private:
         return true;
     }
 
-    /// The states of the model whose numbers of robots are part of the chain's state.
+    /// Returns the states of the model that the chain distinguishes: its state contains the number of robots in each of
+    /// them.
     [[nodiscard]] std::vector<std::string> distinguished_states() const {
         std::vector<std::string> states;
         for (const simulation::Distinction& distinction : scenario_.abstraction->distinctions) {
@@ -89,8 +90,8 @@ private:
         return states;
     }
 
-    /// The steps of one robot that the timed semantics of the model allows. No value if the scenario does not request
-    /// them, or if they could not be computed. The reason is stored in the result.
+    /// Returns the steps of one robot that the timed semantics of the model allows. Returns no value if the scenario
+    /// does not request them, or if they could not be computed. The reason is stored in the result.
     std::optional<simulation::RobotSteps> steps_of_robots() {
         const std::vector<std::string> states = distinguished_states();
         if (states.empty()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `conform MODEL.claims --traces LOG`: checks logs of runs against claims (docs/traces.md, "Logs and claims").
+// Implements `conform MODEL.claims --traces LOG`, which checks logs of runs against claims (docs/traces.md, "Logs and
+// claims").
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ public:
         : RunReader(std::move(path), report, options), project_(project), report_(report) {}
 
 private:
-    /// Only claims about the component of the log are followed.
+    /// Begins a run. Only claims about the component of the log are followed.
     void begin_run(const conformance::TraceHeader& header) override {
         conformance::compare_units(header, project_.unit);
         followed_.clear();
@@ -90,7 +91,7 @@ private:
                 followed.observe(word.substr(0, mark), word[mark] == '?', values, line);
         }
     }
-    /// "a!b": the values of an output.
+    /// Splits the values of an output, such as "a!b".
     static std::vector<std::string> split(const std::string& text) {
         std::vector<std::string> result;
         std::size_t from = 0;
@@ -122,10 +123,10 @@ private:
     const driver::Project& project_;
     LogReport& report_;
     std::vector<FollowedClaim> followed_;
-    std::map<std::string, FollowedClaim::Drops> drops_;  ///< by component
+    std::map<std::string, FollowedClaim::Drops> drops_;  ///< key: the component
 };
 
-/// The result is inconclusive if no log has a claim about its component.
+/// Returns the exit code. The result is inconclusive if no log has a claim about its component.
 Exit exit_of(const LogReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
     if (report.broken > 0) return Exit::failed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `emit monitor MODEL.claims`: claims as monitors in C++. The monitor of a claim (claims/monitor) is explored as for
-// `check`, and its states are written as tables for cpp_emit/runtime/monitor.hpp.
+// Implements `emit monitor MODEL.claims`, which writes claims as monitors in C++. The monitor of a claim
+// (claims/monitor) is explored as for `check`, and its states are written as tables for cpp_emit/runtime/monitor.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,8 +33,8 @@ namespace {
 using claims::CheckedClaim;
 using claims::Letter;
 
-/// The tables of one claim, with all data to which they point. Column 0 is for an input that was not raised; it leaves
-/// the state unchanged.
+/// The tables of one claim, with all data to which they point. Column 0 represents an input that was not raised, and
+/// leaves the state unchanged.
 class ClaimTables {
 public:
     /// Throws claims::NotDecided if the claim has no monitor of moderate size.
@@ -66,7 +66,7 @@ private:
         return std::ranges::any_of(letters_,
                                    [&](const Letter& letter) { return letter.occurrence.channel == channel; });
     }
-    /// The number of inputs that the claim names.
+    /// Returns the number of inputs that the claim names.
     [[nodiscard]] std::size_t input_count() const {
         std::set<std::size_t> inputs;
         for (const Letter& letter : letters_)
@@ -110,7 +110,7 @@ private:
         where_.assign(automaton.size(), nullptr);
     }
 
-    /// The values of an argument, in the order of the letters: the last argument varies fastest.
+    /// Adds the values of an argument, in the order of the letters (the last argument varies fastest).
     void add_values(Stored& stored, const std::vector<const Letter*>& letters, std::size_t argument,
                     const ir::Type& type) const {
         const std::int64_t scale = type.kind == ir::TypeKind::real ? instantiation_.scale : 1;

@@ -31,7 +31,7 @@
 namespace robochart::app {
 namespace {
 
-/// The types of the script's names in JSON. `limit` is the reason why they are unknown, or "".
+/// Returns the types of the script's names in JSON. `limit` is the reason why they are unknown, or "".
 std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
     diagnostics::Json json{{"schema", "robochart-verify/types/1"}, {"script", path}};
     if (!limit.empty()) json["limit"] = limit;
@@ -41,8 +41,8 @@ std::string types_json(const std::string& path, const LoadedScript& loaded, cons
     return diagnostics::json_text(json) + "\n";
 }
 
-/// Prints the result for a script in JSON. For a single script this is the result of the run, so a limit must not print
-/// a second document.
+/// Prints the result for a script in JSON. If there is only one script, this document is the result of the run, so no
+/// second document must be printed at a limit.
 void print_answer(const std::string& text, const Options& options) {
     if (options.load.inputs.size() == 1) options.run->finish();
     const auto edit = options.run->edit();
@@ -109,7 +109,7 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
         } catch (const diagnostics::LimitReached& limit) {
             printed.error = fmt::format(
                 "{}: {}", diagnostics::escape_for_display(sources.path_and_line(statement->span)), limit.what());
-            options.run->finish();  // from here on, only known results are printed
+            options.run->finish();  // no further results are computed from here on
             stopped = true;
         } catch (const cspm::EvaluationError& error) {
             printed.error =
@@ -135,8 +135,8 @@ void take_findings(const LoadedScript& loaded, ScriptReport& report) {
     }
 }
 
-/// The path of the script with the assertions about this script, according to the file names of `emit csp`; "" if there
-/// is none.
+/// Returns the path of the script with the assertions about this script, according to the file names of `emit csp`; ""
+/// if there is none.
 std::string script_with_assertions(const std::string& path) {
     const std::filesystem::path file(path);
     const std::filesystem::path beside = file.parent_path() / (file.stem().string() + "_assertions.csp");
@@ -144,7 +144,8 @@ std::string script_with_assertions(const std::string& path) {
     return std::filesystem::is_regular_file(beside, code) ? beside.string() : "";
 }
 
-/// A script without assertions is not an error: its names and types have been checked. An empty script is an error.
+/// Adds a note about a script without assertions. It is not an error, because the names and types have been checked. An
+/// empty script is an error.
 void note_no_assertions(const LoadedScript& loaded, const Options& options, ScriptReport& script) {
     const std::string path = diagnostics::escape_for_display(script.path);
     if (loaded.script.decls.empty()) {
@@ -159,7 +160,7 @@ void note_no_assertions(const LoadedScript& loaded, const Options& options, Scri
     if (text || options.output.format == Format::junit) print_error("{}\n", script.warnings.back());
 }
 
-/// The indices of the assertions that --assertion selects.
+/// Returns the indices of the assertions that --assertion selects.
 std::vector<std::size_t> chosen_of(const std::vector<cspm::DeclPtr>& assertions, const Options& options,
                                    const std::string& path) {
     std::vector<std::string> texts;
@@ -219,7 +220,7 @@ Exit worse_exit(Exit a, Exit b) {
     return rank(a) < rank(b) ? b : a;
 }
 
-/// The report, extended by an entry for each script with errors.
+/// Returns the report, extended by an entry for each script with errors.
 Report with_refused(const Known& known) {
     Report report = known.report;
     report.refused = known.refused;
@@ -276,7 +277,7 @@ Exit refuse_script(const Options& options, Known& known) {
 }
 
 /// Evaluates the print statements and decides the assertions of a script. Throws LimitReached if a limit is reached
-/// before that begins.
+/// before the first of them.
 Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& known) {
     ScriptReport& script = known.script;
     bool stopped = false;

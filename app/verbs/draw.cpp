@@ -28,7 +28,7 @@
 namespace robochart::app {
 namespace {
 
-/// True if the subject's name ends with this name ("S", "C::S" for "P::C::S"), or if its file has this name.
+/// True if the subject's name ends with this name ("S" or "C::S" for "P::C::S"), or if its file has this name.
 bool is_called(const diagrams::Subject& subject, const std::string& name) {
     return subject.name == name || subject.file == name || subject.name.ends_with("::" + name);
 }
@@ -86,7 +86,7 @@ private:
         throw UsageError(fmt::format("'{}' may be {}", name, fmt::join(names, ", ")));
     }
 
-    /// The diagram in the selected format. If it cannot be drawn, reports a diagnostic and returns no value.
+    /// Returns the diagram in the selected format. If it cannot be drawn, reports a diagnostic and returns no value.
     std::optional<std::string> text_of(const PartSubject& drawn) {
         diagrams::SvgOptions style;
         if (options_.draw.theme == Theme::light || options_.draw.picture != PictureFormat::svg)
@@ -104,7 +104,7 @@ private:
         }
     }
 
-    /// The ending of files in the selected format.
+    /// Returns the file extension of the selected format.
     [[nodiscard]] const char* ending() const {
         constexpr std::array<const char*, 5> endings{"svg", "png", "pdf", "mmd", "dot"};
         return endings[static_cast<std::size_t>(options_.draw.picture)];
@@ -115,7 +115,7 @@ private:
         return options_.draw.picture != PictureFormat::mermaid && options_.draw.picture != PictureFormat::dot;
     }
 
-    /// The layout that a person drew, if any.
+    /// Returns the layout that a person drew, if there is one.
     [[nodiscard]] const diagrams::StoredLayout* layout_of(const PartSubject& drawn) const {
         if (!has_places()) return nullptr;
         diagrams_->explain_layout(drawn);

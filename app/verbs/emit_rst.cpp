@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `emit rst`: RoboChart components as RoboSim models, with claims (docs/robosim.md, "From RoboChart").
+// Implements `emit rst`, which writes RoboChart components as RoboSim models, with claims (docs/robosim.md, "From
+// RoboChart").
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,7 +21,8 @@
 namespace robochart::app {
 namespace {
 
-/// A sentence for why a component cannot be run in cycles, with the code of its cause; "" if it can be.
+/// Returns a sentence that explains why a component cannot be run in cycles, with the code of the cause; "" if it can
+/// be.
 std::string cause_text(const conformance::Result& result) {
     using conformance::Outcome;
     if (result.outcome == Outcome::inconclusive) return "this was not decided: " + result.reason;
@@ -59,7 +61,7 @@ std::string refusal(driver::Project& project, const Options& options, const ir::
     }
 }
 
-/// The first error of the texts, read together with those of the model; "" if they are valid.
+/// Reads the texts together with the texts of the model. Returns the first error; "" if they are valid.
 std::string error_in(const frontend::RoboSimFiles& written, const driver::Project& project) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `emit tests`: finite complete test suites, as logs and as GoogleTest (docs/conformance.md, "Test suites").
+// Implements `emit tests`, which writes finite complete test suites as logs and as GoogleTest (docs/conformance.md,
+// "Test suites").
 #include <fmt/format.h>
 
 #include <stdexcept>

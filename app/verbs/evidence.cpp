@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides everything about a scenario's model with the constants of the options: its assertions, the conformance of the
-// robots' code, and the scenario's claims.
+// Decides all questions about a scenario's model with the constants of the options: its assertions, the conformance of
+// the robots' code, and the scenario's claims.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace robochart::app {
 
 namespace {
 
-/// The texts of a model by file name, without the built-in libraries.
+/// Returns the texts of a model by file name, without the built-in libraries.
 driver::Evidence::Files files_of(const driver::Project& project) {
     driver::Evidence::Files files;
     for (std::size_t i = 0; i < project.sources.size(); ++i) {
@@ -44,13 +44,13 @@ Options over_the_model(const Options& options, const simulation::Scenario& scena
     return model_options;
 }
 
-/// The prefix of results about a controller: "leaders: ", or "" for the first controller.
+/// Returns the prefix of results about a controller: "leaders: ", or "" for the first controller.
 std::string in_front(const simulation::Scenario& scenario, std::size_t controller) {
     return controller == 0 ? "" : scenario.controller_name(controller) + ": ";
 }
 
-/// Identifies a model and its constants. Two such lists can be compared even if the options write the same values
-/// differently.
+/// Identifies a model and its constants. The lists of two models can be compared even if the options write the same
+/// values differently.
 using ModelRead = std::vector<std::string>;
 ModelRead model_read(const Options& options, const std::vector<driver::Part>& parts) {
     ModelRead subject{options.load.inputs.front()};

@@ -25,7 +25,7 @@ std::string upper_start(std::string_view code) {
     return letters;
 }
 
-/// For a mistyped code: the nearest code, or the codes with the same prefix.
+/// Returns suggestions for a mistyped code: the nearest code, or the codes with the same prefix.
 std::string similar_codes(std::string_view code) {
     std::vector<std::string> all, found;
     for (const diagnostics::Rule* rule : all_rules()) {
@@ -52,7 +52,7 @@ bool explain_code(const std::string& written, bool color) {
     return true;
 }
 
-/// The index from the first heading below the title; the text above is for authors of pages.
+/// Returns the index without the text before its first heading below the title, which is for authors of pages.
 std::string_view list_of_rules() {
     std::string_view index = diagnostics::page_text("README");
     const std::size_t first = index.find("\n## ");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `cspm SCRIPT --export FORMAT PROCESS`: writes all states of a process, for other tools and for FDR.
+// Implements `cspm SCRIPT --export FORMAT PROCESS`, which writes all states of a process, for other tools and for FDR.
 #include <fmt/ostream.h>
 
 #include <cerrno>
@@ -19,7 +19,7 @@
 
 namespace robochart::app {
 
-/// Puts the process on a separate line, so that findings show only the process.
+/// Parses the process. Puts it on a separate line, so that findings show only the process.
 cspm::DeclPtr parse_process(LoadedScript& loaded, const std::string& process, const std::string& origin) {
     const auto source = loaded.sources.add(origin, "assert (\n" + process + "\n) :[divergence free]\n");
     cspm::Script read = cspm::read(loaded.sources, source, loaded.diagnostics);
@@ -31,7 +31,7 @@ cspm::DeclPtr parse_process(LoadedScript& loaded, const std::string& process, co
 
 namespace {
 
-/// The definitions of the script, without assertions and print statements.
+/// Returns the definitions of the script, without assertions and print statements.
 cspm::Script definitions_only(const cspm::Script& script) {
     cspm::Script result;
     for (const cspm::DeclPtr& decl : script.decls)

@@ -36,7 +36,7 @@ struct NewFile {
     bool keep = false;
 };
 
-/// An ASCII letter or digit.
+/// True for an ASCII letter or digit.
 bool is_plain(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
@@ -47,7 +47,7 @@ bool is_word_of_cspm(const std::string& name) {
     return cspm::lex(name, diagnostics::SourceId::none, ignored).front().kind != cspm::Tok::identifier;
 }
 
-/// The reason why the text cannot be the name of a package; "" if it can.
+/// Returns the reason why the text cannot be the name of a package; "" if it can.
 std::string reason_unfit(const std::string& name) {
     const auto fits = [](char c) { return is_plain(c) || c == '_'; };
     if (name.size() > longest_name) return fmt::format("it has more than {} characters", longest_name);
@@ -60,7 +60,7 @@ std::string reason_unfit(const std::string& name) {
     return is_block ? "the csp block of a new project is called so" : "";
 }
 
-/// A valid name made from the given text; "" if no character is left.
+/// Returns a valid name made from the given text; "" if no character is left.
 std::string made_fit(const std::string& name) {
     const fs::path file(name);
     std::string fit;
@@ -87,7 +87,7 @@ std::vector<NewFile> files_of(const std::string& name, const Options& options) {
     const auto text = [&](std::string_view path) {
         return diagnostics::fill_template(template_text(path), {{"COMMANDS", commands}, {"NAME", name}});
     };
-    // Scripts rename a package whose name has a meaning in CSPM, and claims about it are not decided.
+    // If the name of a package has a meaning in CSPM, scripts rename the package, and claims about it are not decided.
     const std::string claims = csp_emit::is_reserved(name) ? "unit 0.1 s\n" : text("model.claims");
     std::vector<NewFile> files{{name + ".rct", text("model.rct")},
                                {name + ".assertions", text("model.assertions")},
@@ -99,7 +99,7 @@ std::vector<NewFile> files_of(const std::string& name, const Options& options) {
     return files;
 }
 
-/// Existing files in the folder that conflict with a new project; "" if there are none.
+/// Returns the existing files in the folder that conflict with a new project; "" if there are none.
 std::string in_the_way(const fs::path& folder, const std::vector<NewFile>& files) {
     std::error_code code;
     if (fs::exists(folder, code) && !fs::is_directory(folder, code))
@@ -138,7 +138,7 @@ bool write(const fs::path& folder, const std::vector<NewFile>& files, const Opti
     return true;
 }
 
-/// The project's name: the name that the command line gives, otherwise a valid name made from the name of the folder.
+/// Returns the project's name: the name on the command line, otherwise a valid name made from the name of the folder.
 std::string name_of(const std::string& last, const fs::path& folder, const Options& options) {
     const std::string why = reason_unfit(last);
     if (why.empty()) return last;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The logs that `--traces` names, for comparisons with rules and with claims (docs/traces.md).
+// Reads the logs that `--traces` names, for comparisons with rules and with claims (docs/traces.md).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace robochart::app {
 
-/// The files, and the logs in folders, in order. Adds an error if there are none.
+/// Returns the files, and the logs in the folders, in order. Adds an error if there are no logs.
 [[nodiscard]] std::vector<std::string> log_files(const Options& options, std::vector<std::string>& errors);
 
 /// Opens the log, records it as an input, counts it in `logs` and passes it to `read`. Adds an error if the file cannot
@@ -26,7 +26,7 @@ void read_log(const std::string& path, const Options& options, std::vector<std::
 /// A run that breaks a rule or a claim, or a run for which the answer is unknown.
 struct LoggedRun {
     std::string log, run;
-    std::string claim;  ///< "": the run was compared with all rules of a file
+    std::string claim;  ///< "" if the run was compared with all rules of a file
     std::uint64_t line = 0;
     bool broken = false;
     std::vector<std::string> lines;
@@ -35,7 +35,7 @@ struct LoggedRun {
 /// The results of all logs. `kept`, `broken` and `open` count runs, or claims of runs.
 struct LogReport {
     std::uint64_t logs = 0, runs = 0, units = 0, kept = 0, broken = 0, open = 0;
-    std::vector<LoggedRun> reported;  ///< the first that are not kept
+    std::vector<LoggedRun> reported;  ///< the first runs that are not kept
     std::vector<std::string> errors;
 
     /// Adds an entry, unless the list is long enough.
@@ -44,8 +44,8 @@ struct LogReport {
 
 /// Prints the runs in the list, then the errors.
 void print_reported(const LogReport& report);
-/// The members that the documents about rules and claims share. `kept` is the name of the count of kept ones, `units`
-/// the name of the count of time units.
+/// Returns the members that the documents about rules and claims share. `kept` and `units` are the names of two
+/// members: the number of runs or claims that are kept, and the number of time units.
 [[nodiscard]] diagnostics::Json log_report_json(const LogReport& report, const char* schema, const char* units,
                                                 const char* kept, Exit exit);
 
@@ -66,7 +66,7 @@ protected:
     virtual void follow(const std::vector<conformance::TraceToken>& tokens, std::uint64_t line) = 0;
     virtual void end_run() = 0;
 
-    /// An entry for the current run.
+    /// Returns an entry for the current run.
     [[nodiscard]] LoggedRun entry(bool broken, std::uint64_t line) const {
         return {path_, name_, "", line, broken, {}};
     }
@@ -77,8 +77,8 @@ private:
     std::string path_;
     LogReport& report_;
     const Options& options_;
-    std::string name_;         ///< of the current run
-    std::uint64_t begun_ = 0;  ///< its line
+    std::string name_;         ///< name of the current run
+    std::uint64_t begun_ = 0;  ///< line where the current run begins
 };
 
 }  // namespace robochart::app

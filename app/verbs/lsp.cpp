@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `lsp`: the language server on standard input and output.
+// The verb `lsp`: runs the language server on standard input and output.
 #include <iostream>
 
 #include "app/verbs/verbs.hpp"
@@ -7,7 +7,7 @@
 
 namespace robochart::app {
 
-/// The protocol defines two exit codes: 0 after `shutdown`, 1 otherwise.
+/// Returns one of the two exit codes of the protocol: 0 after `shutdown`, 1 otherwise.
 Exit run_lsp() {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);

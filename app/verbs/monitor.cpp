@@ -38,7 +38,7 @@
 namespace robochart::app {
 namespace {
 
-/// The monitor tables of one component. On failure, reports a diagnostic and returns null.
+/// Builds the monitor tables of one component. On failure, reports a diagnostic and returns null.
 std::unique_ptr<conformance::MonitorBuild> build_monitor(driver::Project& project, const Options& options,
                                                          const ir::ComponentRef& component,
                                                          std::uint32_t cycle_length) {
@@ -85,7 +85,7 @@ private:
     const cpp_emit::DriveEmission& emission_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<conformance::CycleCache>>
-        idle_;  ///< caches of finished trials, which later trials reuse
+        idle_;  ///< caches of finished trials, for reuse in later trials
     std::atomic<std::uint64_t> robots_ = 0;
     /// Number of monitors that stopped because their robot left the finite instantiation.
     std::atomic<std::uint64_t> lost_ = 0;
@@ -124,7 +124,8 @@ public:
     }
 
 private:
-    /// A terminated robot reports its termination in every later cycle.
+    /// True if the robot has already terminated, because a terminated robot reports its termination in every later
+    /// cycle.
     bool ended_before(std::size_t robot) {
         ended_.resize(monitors_.size());
         return std::exchange(ended_[robot], std::uint8_t{1}) != 0;
@@ -142,7 +143,7 @@ private:
     std::unique_ptr<simulation::Trace> other_;
     std::unique_ptr<conformance::CycleCache> cycles_;
     std::vector<Monitor> monitors_;
-    std::vector<std::uint8_t> ended_;  ///< by robot; filled when the first robot terminates
+    std::vector<std::uint8_t> ended_;  ///< index: robot; filled when the first robot terminates
     simulation::Objection objection_;
 };
 
@@ -199,7 +200,7 @@ private:
     std::vector<std::unique_ptr<Guard>> guards_;
 };
 
-/// The guard of one component. Errors are reported in the simulation's project.
+/// Makes the guard of one component. Errors are reported in the simulation's project.
 std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Project& project,
                                             const cpp_emit::DriveEmission& emission, const std::string& component,
                                             const Options& options) {
@@ -267,7 +268,7 @@ std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Opti
 
 namespace {
 
-/// The monitors of the model or of rules.
+/// Makes the monitors of the model or of rules.
 std::unique_ptr<simulation::Guard> make_monitors(Simulation& simulation, const Options& options) {
     if (!options.simulate.monitor || options.simulate.guarding_rules.ends_with(".claims")) return nullptr;
     const simulation::Scenario& scenario = simulation.scenario;

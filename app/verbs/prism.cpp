@@ -49,7 +49,7 @@ NamedValues named_values(const prism::Values& values) {
 class WrongModel : public std::exception {
 public:
     explicit WrongModel(std::size_t number) : number_(number) {}
-    /// The index of the set of constants.
+    /// Returns the index of the set of constants.
     [[nodiscard]] std::size_t number() const { return number_; }
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `conform RULES.sleec --traces LOG`: checks logs of runs against SLEEC rules (docs/traces.md, "Logs and rules").
+// Implements `conform RULES.sleec --traces LOG`, which checks logs of runs against SLEEC rules (docs/traces.md, "Logs
+// and rules").
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,8 +30,8 @@ namespace {
 using conformance::TraceToken;
 
 struct RuleLogReport : LogReport {
-    durations::Unit unit;         ///< the length of a `tock`, if it is declared
-    bool counts_seconds = false;  ///< a limit is in seconds, and no unit is declared
+    durations::Unit unit;         ///< the length of a `tock`, if declared
+    bool counts_seconds = false;  ///< true if a limit is in seconds and no unit is declared
 };
 
 /// One log and one rule file.
@@ -90,7 +91,7 @@ private:
     driver::RuleWords words_;
     RuleLogReport& report_;
     std::optional<driver::RuleRun> run_;
-    std::string hidden_;  ///< an event of the rules that is not in the log; "": there is none
+    std::string hidden_;  ///< an event of the rules that is not in the log; "" if there is none
 };
 
 Exit exit_of(const RuleLogReport& report) {

@@ -65,7 +65,8 @@ public:
     }
 
 private:
-    /// Rules alone are compared second by second. With a model, seconds are those of its time unit.
+    /// Reads the time unit. Rules alone are compared second by second. With a model, its time unit determines the
+    /// length of a second.
     void read_unit() {
         if (options_.load.inputs.size() < 2) return;
         const auto unit = driver::unit_beside(options_.load.inputs, loaded_.sources, loaded_.diagnostics);
@@ -73,8 +74,8 @@ private:
         if (unit) report_->unit = unit->nanoseconds;
     }
 
-    /// Ends the run of a rejected file. The findings have been printed as text; documents for programs contain them
-    /// too.
+    /// Ends the run for a rejected file. The findings have already been printed as text, and are added to the documents
+    /// for programs.
     Exit end_refused(const diagnostics::Diagnostics& findings, const diagnostics::SourceManager& sources, Exit exit) {
         options_.run->finish();
         for (const diagnostics::Diagnostic& finding : findings.sorted_findings())
@@ -107,7 +108,8 @@ private:
         for (const sleec::CheckedProperty& purpose : rules().purposes) ask_property(purpose, false, analysis);
     }
 
-    /// A concern must be impossible if the rules are satisfied; a purpose must be possible.
+    /// Checks a concern or a purpose. If the rules are satisfied, a concern must be impossible, and a purpose must be
+    /// possible.
     void ask_property(const sleec::CheckedProperty& property, bool concern, const sleec::AnalysisOptions& analysis) {
         const sleec::PropertyAnswer answer = sleec::check_possible(rules(), property, analysis);
         const sleec::Answer expected = concern ? sleec::Answer::no : sleec::Answer::yes;
@@ -148,7 +150,7 @@ private:
                     continue;
                 }
                 if (!rules().rules[i].assumed) redundancies_of(i, analysis);
-            } catch (const sleec::NotDecided&) {  // reported already by the check of this rule's conflicts
+            } catch (const sleec::NotDecided&) {  // the check of this rule's conflicts has reported this
             }
         }
     }
@@ -171,7 +173,7 @@ private:
 
     // The analysis in SLEEC-TK's semantics.
 
-    /// The rules that the published encoding supports; the others are reported by name.
+    /// Returns the rules that the published encoding supports. Reports the names of the others.
     std::vector<std::size_t> encodable_rules(const sleec::Encoding& encoding) {
         std::vector<std::size_t> result;
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
@@ -237,7 +239,7 @@ private:
         }
     }
 
-    // whether a model obeys
+    // The check whether a model obeys the rules.
 
     /// Checks the model. Returns an exit code if the model is rejected, or if it has no component with the name of
     /// --component.

@@ -46,7 +46,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The time unit that the claims files in the folder of the scenario, or in the folders of its models, declare.
+/// Returns the time unit that is declared in claims files in the folder of the scenario, or in the folders of its
+/// models.
 std::optional<claims::DeclaredUnit> declared_unit(driver::Project& project, diagnostics::SourceId source,
                                                   const Options& options) {
     diagnostics::Diagnostics reported_later;
@@ -57,7 +58,7 @@ std::optional<claims::DeclaredUnit> declared_unit(driver::Project& project, diag
     return driver::unit_beside(paths, project.sources, project.diagnostics);
 }
 
-/// The time unit of a scenario must be the declared one.
+/// Reports an error if the time unit of the scenario differs from the declared one.
 void compare_units(const simulation::Scenario& scenario, const std::optional<claims::DeclaredUnit>& declared,
                    driver::Project& project) {
     const auto unit = durations::nanoseconds_of_seconds(scenario.time_unit);
@@ -149,7 +150,7 @@ namespace {
 
 using simulation::Name;
 
-/// "swarm::Sheep", "swarm::Sheep; 2 dog by swarm::Dog; environment sky::Sun".
+/// Lists the controllers: "swarm::Sheep", "swarm::Sheep; 2 dog by swarm::Dog; environment sky::Sun".
 std::string controllers_text(const simulation::Scenario& scenario) {
     std::string text = scenario.component.text;
     for (const simulation::RobotKind& kind : scenario.others)
@@ -187,8 +188,8 @@ cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& 
                                 project.diagnostics);
 }
 
-/// Loads the model of another controller. If it is not acceptable, it replaces the simulation's project, so that its
-/// findings are shown.
+/// Loads the model of another controller. If this model is not acceptable, it replaces the simulation's project, so
+/// that its findings are shown.
 bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
     driver::Settings settings = settings_for(simulation.scenario, options, number);
@@ -511,7 +512,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
         write_page(*simulation, result, machines, stage.name, monitors == nullptr ? "" : monitors->summary_lines(),
                    notes, files, options);
     options.run->finish();
-    // Errors at this point are either stopped trials or files that could not be written.
+    // An error at this point is either a stopped trial or a file that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.has_stopped_trial();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
     if (unwritable && options.output.format == Format::json) return show_errors(project, options, exit);

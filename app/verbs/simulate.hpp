@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scenario with its model and controllers, ready to run. The verb `simulate` and the adapters of other simulators use
-// it.
+// Loads a scenario with its model and controllers, ready to run. The verb `simulate` and the adapters of other
+// simulators use this.
 #pragma once
 
 #include <functional>
@@ -30,14 +30,14 @@ struct Simulation {
     std::unique_ptr<driver::Project> project;  ///< the model; its sources also contain the scenario
     simulation::Scenario scenario;
     cpp_emit::DriveEmission emission;
-    std::vector<OtherController> others;  ///< for the scenario's other kinds and its environment
+    std::vector<OtherController> others;  ///< controllers of the other kinds and of the environment
     simulation::Plan plan;                ///< refers to the scenario
 
-    /// The model of the controller with this index (see Scenario::controller_at).
+    /// Returns the model of the controller with this index (see Scenario::controller_at).
     [[nodiscard]] const driver::Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project : *others[controller - 1].project;
     }
-    /// The generated code that drives the robots of a kind (see Scenario::kind_at).
+    /// Returns the generated code that drives the robots of a kind (see Scenario::kind_at).
     [[nodiscard]] const cpp_emit::DriveEmission& emission_of(std::size_t kind) const {
         return kind == 0 ? emission : others[kind - 1].emission;
     }
@@ -53,23 +53,21 @@ struct Simulation {
 /// On failure the result is null, and the project's diagnostics contain the reason.
 [[nodiscard]] std::unique_ptr<simulation::Controller> build_controller(Simulation&, const Options&);
 
-/// All controllers. They must be built before.
+/// Returns all controllers, which must already be built.
 [[nodiscard]] simulation::Drives drives_of(const Simulation&, const simulation::Controller&);
 
 /// Adds to a hash everything that a trial depends on except its seed: the texts of the scenario and drawings, and the
 /// generated code. The identity of the program is not added, because the cache adds it to every key.
 void add_trials(const Simulation&, diagnostics::Hasher&);
 
-/// The path of the model of one of a scenario's controllers (see Scenario::controller_at); `path` is the path of the
-/// scenario.
+/// Returns the path of the model of a controller (see Scenario::controller_at). `path` is the path of the scenario.
 [[nodiscard]] std::string model_of(const simulation::Scenario&, const std::string& path, std::size_t controller);
 
-/// The settings for the model of one controller: its path, and its constants. `--const` gives the values of constants
-/// for this controller. A constant without a value in `--const` gets the value of the scenario (`const ...` in `robots`
-/// and `environment`). The robots are simulated with these constants, so all claims about the models are decided with
-/// them.
+/// Returns the settings for the model of one controller: its path, and its constants. A constant has the value that
+/// `--const` gives for this controller, or else the value of the scenario (`const ...` in `robots` and `environment`).
+/// The robots are simulated with these constants, so all claims about the models are decided with them.
 [[nodiscard]] driver::Settings settings_for(const simulation::Scenario&, driver::Settings, std::size_t controller);
-/// "NAME=VALUE" for all constants that were given to the model.
+/// Returns "NAME=VALUE" for all constants that were given to the model.
 [[nodiscard]] std::vector<std::string> constants_of(const driver::Project&);
 
 /// Shows the findings about the scenario and its model, and those about the models of the other controllers.
@@ -78,7 +76,7 @@ void show_all_diagnostics(const Simulation&, const Options&);
 /// These three functions add results to the evidence. All are computed with the constants of settings_for. The first
 /// function adds the assertions of the scenario's models and the digests of their files. The second adds whether the
 /// code of each controller conforms. The third adds the scenario's claims. It returns false if the scenario cannot be
-/// run; the simulation's project then contains the reason. Results about other controllers than the first begin with
+/// run; the simulation's project then contains the reason. Results about all controllers except the first begin with
 /// the controller's name: "leaders: A1". If two controllers have the same model and constants, only one is checked. All
 /// three throw diagnostics::LimitReached.
 void decide_assertions(const Options&, const simulation::Scenario&, driver::Evidence&);
@@ -89,16 +87,16 @@ void decide_conformance(const Options&, const simulation::Scenario&, driver::Evi
 struct OtherStage {
     std::string name;  ///< "" for the built-in world
     simulation::StageMaker make;
-    bool parallel = true;  ///< trials may run at the same time
+    bool parallel = true;  ///< true if trials may run at the same time
 };
 Exit run_simulate(const Options&, const OtherStage&);
 /// Runs a scenario that has variations.
 Exit sweep(const Options&, const OtherStage&);
 /// Runs a scenario that defines a chain. The simulation's project must have no errors.
 Exit study_chain(Simulation&, const Options&, const OtherStage&);
-/// A function that returns true if trials must end because of a limit or a signal.
+/// Returns a function that returns true if trials must end because of a limit or a signal.
 [[nodiscard]] std::function<bool()> when_a_limit_is_reached(const Options&);
-/// A function that reports the progress of trials as `--progress` selects; empty if no reports are wanted.
+/// Returns a function that reports the progress of trials as `--progress` selects; empty if no reports are wanted.
 [[nodiscard]] std::function<void(const simulation::RunProgress&)> progress_reports(const Options&,
                                                                                    const std::string& subject);
 /// Runs the program for another simulator, with the arguments of the verb `simulate`. Returns its exit code.

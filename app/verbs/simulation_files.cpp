@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the files of a simulation: a table of positions for each trial and pictures of the first one; PNG, GIF and MP4
-// if the programs that make them are on PATH.
+// Writes the files of a simulation: a table of positions for each trial, and pictures of the first trial. Also makes
+// PNG, GIF and MP4 files if the programs for these formats are in PATH.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,8 @@ namespace robochart::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// The factor by which an animation runs faster than real time, so that a trial takes about half a minute.
+/// Returns the factor by which an animation is faster than real time. With this factor, a trial takes about half a
+/// minute.
 double animation_speed(double duration) {
     return std::max(1.0, std::round(duration / 30));
 }
@@ -109,8 +110,8 @@ private:
         return {std::istreambuf_iterator<char>(in), {}};
     }
 
-    /// Converts the drawings to images and films. The drawings are written before, so they exist even if a limit ends
-    /// the conversions.
+    /// Converts the drawings to images and films. The drawings have already been written, so they exist even if a limit
+    /// ends the conversions.
     void images_and_films(const std::vector<simulation::Frame>& frames, std::string& notes) try {
         make_images(notes);
         make_videos(frames, notes);

@@ -60,7 +60,7 @@ public:
     Console(runs::Stepper& stepper, const Options& options, Stepped stepped)
         : stepper_(stepper), options_(options), stepped_(std::move(stepped)) {}
 
-    /// Runs until the input ends. Returns the exit code, which is a failure if a file contains wrong commands.
+    /// Runs until the input ends. Returns the exit code, which is a failure if the input is a file with wrong commands.
     Exit run();
 
 private:
@@ -71,7 +71,7 @@ private:
         const char* help;
         void (Console::*obey)(const std::string& argument);  ///< null for numbers
     };
-    /// A prefix selects the first command in this list whose name begins with it.
+    /// Returns all commands. A prefix selects the first command in this list whose name begins with the prefix.
     static const std::vector<Command>& command_table();
 
     void run_command_line(const std::string& line);
@@ -91,7 +91,7 @@ private:
     void explain_absences(const std::string& text);
     void find(const std::string& text);
     [[nodiscard]] std::string leads_to(std::size_t offer);
-    bool list_offers(const std::string& text);  ///< lists the offers with this text; false if there are none
+    bool list_offers(const std::string& text);  ///< lists the offers with this text; returns false if there are none
     void watch_component(const std::string& name);
     void print_way(const std::string&);
     void print_tree(const std::string&);
@@ -158,8 +158,8 @@ void Console::show_state() {
     if (offers.empty()) print("      nothing can happen any more\n");
 }
 
-/// The target of an offer, such as " to STOP". It is shown for processes of scripts if several offers have the same
-/// text.
+/// Returns the target of an offer, such as " to STOP". It is shown for processes of scripts if several offers have the
+/// same text.
 std::string Console::leads_to(std::size_t offer) {
     const std::vector<runs::Offer>& offers = stepper_.current_offers();
     const auto same = [&](const runs::Offer& other) {
@@ -247,7 +247,7 @@ bool is_read(const runs::Event& event) {
     return event.kind == runs::Kind::read || event.kind == runs::Kind::empty_read;
 }
 
-/// The inputs of `cycle`: "pressed", "e=3". A name without a value has the value "".
+/// Parses the inputs of `cycle`: "pressed", "e=3". A name without a value gets the value "".
 std::map<std::string, std::string> read_inputs(const std::string& words) {
     std::map<std::string, std::string> result;
     std::istringstream in(words);
@@ -280,8 +280,8 @@ bool Console::at_reads() const {
     return false;
 }
 
-/// Selects the offered read that fits the given inputs. If the command does not give an event, its register is read as
-/// empty; if it does not give a variable, the variable is read with its last value. No value if no read fits.
+/// Selects the offered read that fits the given inputs. The register of an event that the command does not give is read
+/// as empty. A variable that the command does not give is read with its last value. Returns no value if no read fits.
 std::optional<std::size_t> Console::choose_read(const std::map<std::string, std::string>& given) const {
     const std::vector<runs::Offer> offers = stepper_.offers_at(stepper_.current_term());
     const KeptValues kept(stepper_.steps_taken(), stepped_);
@@ -363,7 +363,7 @@ bool Console::take_hidden_steps() {
     return true;
 }
 
-/// Takes steps as long as there is no choice, then lets the time units of the cycle pass.
+/// Takes steps while only one step is possible, then lets the time units of the cycle pass.
 void Console::end_cycle() {
     for (std::size_t steps = 0; steps < most_settled; ++steps) {
         options_.run->budget().poll();
@@ -589,7 +589,7 @@ Candidates candidate_components(const std::vector<driver::Part>& parts, const st
     return result;
 }
 
-/// The selected component. Throws UsageError unless exactly one component matches.
+/// Returns the selected component. Throws UsageError unless exactly one component matches.
 std::pair<driver::Project*, ir::ComponentRef> find_meant_component(const std::vector<driver::Part>& parts,
                                                                    const std::string& component_name) {
     const Candidates found = candidate_components(parts, component_name);

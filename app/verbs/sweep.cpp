@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `simulate` with a scenario that has variations: decides its claims at every point, one after another. The results of
-// a point are stored in the cache, so a run continues after the last finished point of an earlier run.
+// Runs `simulate` with a scenario that has variations: decides its claims at every point, one after another. The
+// results of a point are stored in the cache, so a run continues after the last finished point of an earlier run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -109,8 +109,8 @@ private:
 
     [[nodiscard]] bool until_proved() const { return scenario_.variations.front().until_proved; }
 
-    /// True if the point has to be computed. If values are tried until one is proved, this is the case if the point can
-    /// still change a least value.
+    /// True if the point has to be computed. If values are tried until one is proved, a point has to be computed only
+    /// if it can still change a least value.
     [[nodiscard]] bool is_wanted(const simulation::PointResult& point) const {
         if (!until_proved()) return true;
         const std::optional<double> second = point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;
@@ -150,7 +150,7 @@ private:
         return std::nullopt;
     }
 
-    /// If the model does not have a constant that varies, this is an error of the scenario, reported at its place.
+    /// Reports each varied constant that the model does not have as an error, at its place in the scenario.
     void find_unknown(const driver::Project& refused) {
         for (const simulation::Variation& variation : scenario_.variations) {
             if (variation.what != simulation::Varied::constant) continue;
@@ -183,7 +183,7 @@ private:
         return Exit::bad_input;
     }
 
-    /// The hash of all data that an answer depends on.
+    /// Returns the hash of all data that an answer depends on.
     [[nodiscard]] diagnostics::Digest key_of(const simulation::Point& point) const {
         const Simulation& simulation = *prepared_.simulation;
         diagnostics::Hasher hasher;
@@ -258,8 +258,8 @@ private:
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
-    /// Success if every point is decided and `--monitor` could follow all trials. If values are tried until one is
-    /// proved, only the least values must be decided.
+    /// Returns success if every point is decided and `--monitor` could follow all trials. If values are tried until one
+    /// is proved, only the least values must be decided.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
         if (std::ranges::any_of(compared_, [&](const simulation::Compared& compared) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `conform MODEL --traces FILE`: checks logs of runs against the model (docs/traces.md).
+// Implements `conform MODEL --traces FILE`, which checks logs of runs against the model (docs/traces.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -57,7 +57,7 @@ struct Totals {
 };
 constexpr std::size_t max_reported = 100;
 
-/// The files, and the logs in folders, in order.
+/// Returns the files, and the logs in the folders, in order.
 std::vector<std::string> logs_to_check(const Options& options, diagnostics::Diagnostics& diagnostics) {
     std::vector<std::string> result;
     for (const std::string& given : options.conform.traces) {
@@ -165,8 +165,8 @@ public:
 private:
     using Candidate = std::pair<const driver::Part*, ir::ComponentRef>;
 
-    /// The model with the constants of the log. `--const` has priority over the log, as do `--component` and `--cycle`.
-    /// If the model cannot be read with these constants, reports a finding and returns null.
+    /// Returns the model with the constants of the log. `--const`, `--component` and `--cycle` have priority over the
+    /// log. If the model cannot be read with these constants, reports a finding and returns null.
     const std::vector<driver::Part>* model_with(const std::vector<std::string>& constants) {
         if (constants.empty()) return &parts_;
         auto [known, fresh] = others_.try_emplace(constants);
@@ -187,7 +187,8 @@ private:
                 }
         return &parts;
     }
-    /// The first component with this name in each part, and the first one of the other notation with the same name.
+    /// Returns the first component with this name in each part, and the first component of the other notation with the
+    /// same name.
     [[nodiscard]] static std::vector<Candidate> first_components(const std::vector<driver::Part>& parts,
                                                                  const std::string& component_name) {
         std::vector<Candidate> result;
@@ -227,7 +228,7 @@ private:
     const std::vector<driver::Part>& parts_;
     const Options& options_;
     refine::Limits limits_;
-    std::map<std::vector<std::string>, std::vector<driver::Part>> others_;  ///< the model, by the constants of logs
+    std::map<std::vector<std::string>, std::vector<driver::Part>> others_;  ///< the models, by constants of logs
     std::map<std::tuple<const driver::Part*, std::string, std::uint32_t>, Entry> entries_;
 };
 
@@ -399,12 +400,12 @@ std::string totals_json(const Totals& totals, Exit exit) {
 
 namespace {
 
-/// The subject of the report: the component that --component names, otherwise "the model".
+/// Returns the subject of the report: the component that --component names, otherwise "the model".
 std::string subject_text(const Options& options) {
     return options.load.component.empty() ? "the model" : options.load.component;
 }
 
-/// The part that contains a place; the first part if the place is unknown.
+/// Returns the part that contains a place; the first part if the place is unknown.
 const driver::Project& part_at(const std::vector<driver::Part>& parts, diagnostics::Span place) {
     for (const driver::Part& part : parts)
         if (!ir::element_at(part.project->system, place).empty()) return *part.project;

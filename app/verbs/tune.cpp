@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `tune`: finds values of a model's constants that optimise the claims of a scenario, by iterated racing. For
-// the best values, the model is checked, its code is compared with it, and trials with unused seeds evaluate the
-// claims. The result is a certificate, which can be verified again.
+// The verb `tune`: finds values of a model's constants that optimise the claims of a scenario, by iterated racing. With
+// the best values, it checks the model, compares the generated code with the model, and evaluates the claims in trials
+// with unused seeds. The result is a certificate, which can be verified again.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,7 +32,7 @@ namespace robochart::app {
 
 namespace {
 
-/// The test's name in certificates and on the command line.
+/// Returns the test's name in certificates and on the command line.
 std::string name_of(simulation::Elimination test) {
     return test == simulation::Elimination::t_test ? "t-test" : "friedman";
 }
@@ -41,7 +41,7 @@ using simulation::Candidate;
 using simulation::Parameter;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-/// The NAME and VALUE of `--const`; without `=`, the whole text is the name.
+/// Returns the NAME and VALUE of `--const`; without `=`, the whole text is the name.
 std::pair<std::string, std::string> split_constant(const std::string& option) {
     const std::size_t equal = option.find('=');
     return {option.substr(0, equal), equal == std::string::npos ? "" : option.substr(equal + 1)};
@@ -54,7 +54,7 @@ std::string with_constants(const Pairs& constants) {
     return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// "12 of 13 hold"
+/// Returns a text such as "12 of 13 hold".
 std::string counted(const std::vector<driver::DecidedItem>& items, const std::string& good) {
     const auto count =
         std::ranges::count_if(items, [&](const driver::DecidedItem& decided) { return decided.answer == good; });
@@ -67,7 +67,7 @@ bool has_any_answer(const std::vector<driver::DecidedItem>& items, std::initiali
     });
 }
 
-/// The exit code for the decisions: 1 if one is negative, otherwise 3 if one is open.
+/// Returns the exit code for the decisions: 1 if one is negative, otherwise 3 if one is open.
 Exit exit_of(const driver::Evidence& evidence) {
     const bool fails = has_any_answer(evidence.assertions, {"fails", "error"}) ||
                        has_any_answer(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
@@ -81,12 +81,12 @@ Exit exit_of(const driver::Evidence& evidence) {
     return open || claim("open") ? Exit::inconclusive : Exit::success;
 }
 
-/// Why an exit code is not `success`.
+/// Returns why an exit code is not `success`.
 const char* shortcoming(Exit exit) {
     return exit == Exit::failed ? "something fails" : "something is open";
 }
 
-/// The decisions as text, one per line.
+/// Returns the decisions as text, one per line.
 std::string evidence_text(const driver::Evidence& evidence) {
     std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
     for (const driver::DecidedItem& assertion : evidence.assertions)
@@ -205,7 +205,7 @@ private:
                     fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), finding.message());
     }
 
-    /// The hash of all data that a trial's cost depends on except its seed.
+    /// Returns the hash of all data that a trial's cost depends on, except its seed.
     static diagnostics::Digest digest_of(const Simulation& simulation) {
         diagnostics::Hasher hasher;
         hasher.add("trial of a search");
@@ -305,7 +305,7 @@ private:
 
     /// Reads everything except the candidates; returns false with diagnostics if there is an error.
     bool begin() {
-        // Reading the model with the first value of each constant reports wrong names and values.
+        // The model is first read with the first value of each constant, which reports wrong names and values.
         Options first = options_;
         for (const auto& [name, value] : varied_) {
             const std::size_t end = std::min(value.find(".."), value.find(','));
@@ -337,13 +337,12 @@ private:
                                       diagnostics::escape_for_display(value), error));
     }
 
-    /// The model of a controller as it was read first, before the candidates were built.
+    /// Returns the model of a controller as it was first read, before the candidates were built.
     [[nodiscard]] const driver::Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project_ : *others_.at(controller - 1).project;
     }
 
-    /// The constants that do not vary: those of `--const`, and those of the scenario that are not among the constants
-    /// to search.
+    /// Returns the constants that do not vary: those of `--const`, and those of the scenario that are not searched.
     [[nodiscard]] Pairs fixed_constants() const {
         Pairs result;
         for (const std::string& constant : options_.instantiation.constants) result.push_back(split_constant(constant));
@@ -382,7 +381,7 @@ private:
         return out + "\n";
     }
 
-    /// "farRadius=0.2: cost 412.3 in 15 trials"
+    /// Returns a text such as "farRadius=0.2: cost 412.3 in 15 trials".
     [[nodiscard]] std::string entry_text(const simulation::RaceEntry& entry) const {
         return fmt::format("{}: cost {:.1f} in {} trials", simulation::candidate_text(parameters_, entry.candidate),
                            entry.mean_cost(), entry.trial_count());
@@ -491,7 +490,7 @@ private:
         if (!error.empty()) project_->diagnostics.report(rules::unwritable, {}, {error});
     }
 
-    /// One row per candidate, in the order in which they were drawn.
+    /// Returns a table with one row per candidate, in the order in which the candidates were drawn.
     [[nodiscard]] std::string candidates_csv(const simulation::Race& race) const {
         std::string out = "candidate";
         for (const Parameter& parameter : parameters_) out += "," + parameter.name;
@@ -509,7 +508,7 @@ private:
         return out;
     }
 
-    /// Schema "robochart-verify/tuning/1" (docs/cli.md).
+    /// Prints JSON with the schema "robochart-verify/tuning/1" (docs/cli.md).
     void print_json(const simulation::Race& race, const std::string& certificate, Exit exit,
                     const std::vector<std::string>& reasons = {}) const {
         using diagnostics::Json;
@@ -567,7 +566,7 @@ private:
         return print_comparison(*certified);
     }
 
-    /// A correct certificate that states a failure is not a success.
+    /// Prints the comparison. A correct certificate that states a failure is not a success.
     Exit print_comparison(const driver::Certificate& certified) const {
         const std::vector<std::string> lines = evidence_differences(certified.evidence, certificate_.evidence);
         const Exit exit = lines.empty() ? exit_of(certificate_.evidence) : Exit::failed;
@@ -602,7 +601,7 @@ private:
     Options options_;  ///< without the constants that vary
     Pairs varied_;
     std::unique_ptr<driver::Project> project_;
-    std::vector<OtherController> others_;  ///< for the scenario's other controllers
+    std::vector<OtherController> others_;  ///< the scenario's other controllers
     simulation::Scenario scenario_;
     std::vector<Parameter> parameters_;
     driver::Certificate certificate_;

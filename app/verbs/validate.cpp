@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verb `validate`: reads, resolves and reports. With --fix, certain fixes are applied to the files first.
+// The verb `validate`: reads and resolves models, and reports findings. With --fix, it first applies fixes that are
+// certain to the files.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -41,7 +42,7 @@ bool is_syntax(const diagnostics::Rule& rule) {
 /// model with errors, which has no IR.
 void check_claims(driver::Project& project) {
     if (project.claims->files.empty() || !project.diagnostics.ok()) return;
-    diagnostics::Diagnostics of_lowering;  // `check` reports them
+    diagnostics::Diagnostics of_lowering;  // `check` reports these
     of_lowering.set_budget(project.diagnostics.budget());
     const ir::System system = ir::lower(*project.model, project.sources, of_lowering);
     if (of_lowering.ok()) driver::check_claim_files(project, system);
@@ -120,7 +121,7 @@ void report_repair(const diagnostics::Repaired& sum) {
                     diagnostics::escape_for_display(refused.replacement), refused.code);
 }
 
-/// The findings of all parts, which share their texts.
+/// Returns the findings of all parts, which share their texts.
 diagnostics::Diagnostics all_findings(const std::vector<driver::Part>& parts) {
     diagnostics::Diagnostics all;
     for (const driver::Part& part : parts) all.add(part.project->diagnostics);
@@ -160,7 +161,8 @@ bool is_rules(const std::string& path) {
     return path.ends_with(".sleec");
 }
 
-/// Reports the findings in rule files. With a time unit in a `.claims` file beside them, it also checks their limits.
+/// Reports the findings in rule files. If a `.claims` file in their folder declares a time unit, also checks their
+/// limits.
 Exit validate_rules(const Options& options) {
     driver::LoadedRules loaded;
     loaded.diagnostics.set_budget(&options.run->budget());
@@ -174,7 +176,7 @@ Exit validate_rules(const Options& options) {
     return output_result(loaded.sources, loaded.diagnostics, options);
 }
 
-/// Reads, applies fixes if requested, and reports.
+/// Reads the inputs, applies fixes if requested, and reports the findings.
 Exit validate(const Options& options) {
     std::vector<driver::Part> parts = read_with_blocks(options);
     if (options.fix) {

@@ -40,7 +40,8 @@ void require_empty_certificates(const Options&);
 [[nodiscard]] bool write_cpp(driver::Project&, const Options&, Report&);
 /// Writes prism/MODULE.prism below the output folder.
 [[nodiscard]] bool write_prism(driver::Project&, const Options&, Report&);
-/// The time units of a control cycle: --cycle; without it, the cycle of a RoboSim component, or 1.
+/// Returns the time units of a control cycle: the value of --cycle, otherwise the cycle of a RoboSim component,
+/// otherwise 1.
 [[nodiscard]] std::uint32_t control_cycle(const driver::Project&, const ir::ComponentRef&, const Options&);
 void check_conformance(driver::Project&, const Options&, Report&);
 /// Writes monitor/COMPONENT/… below the output folder.
@@ -49,16 +50,17 @@ void check_conformance(driver::Project&, const Options&, Report&);
 [[nodiscard]] bool write_tests(driver::Project&, const Options&, Report&);
 /// Writes rst/COMPONENT_sim.rst and .rsa below the output folder.
 [[nodiscard]] bool write_robosim(driver::Project&, const Options&, Report&);
-/// conform --traces: checks logs of runs against the models.
+/// Runs conform --traces, which checks logs of runs against the models.
 Exit conform_traces(const std::vector<driver::Part>&, const Options&);
-/// conform RULES.sleec --traces: checks logs of runs against rules.
+/// Runs conform RULES.sleec --traces, which checks logs of runs against rules.
 Exit conform_rules(const Options&);
-/// conform MODEL.claims --traces: checks logs of runs against claims.
+/// Runs conform MODEL.claims --traces, which checks logs of runs against claims.
 Exit conform_claims(const Options&);
-/// emit monitor RULES.sleec: writes monitor/RULES/… below the output folder; returns false if a file is wrong.
+/// Runs emit monitor RULES.sleec, which writes monitor/RULES/… below the output folder. Returns false if a file is
+/// wrong.
 [[nodiscard]] bool write_rule_monitors(const Options&, Report&);
-/// emit monitor MODEL.claims: writes monitor/CLAIM/… below the output folder; returns false if a file is wrong, or a
-/// claim has no monitor.
+/// Runs emit monitor MODEL.claims, which writes monitor/CLAIM/… below the output folder. Returns false if a file is
+/// wrong, or if a claim has no monitor.
 [[nodiscard]] bool write_claim_monitors(const Options&, Report&);
 
 }  // namespace robochart::app

@@ -95,7 +95,7 @@ std::vector<std::string> instantiation_notes(const ir::Instantiation& i) {
     return result;
 }
 
-/// Notes about the finite instantiation. A note that all parts share is printed once.
+/// Returns notes about the finite instantiation. A note that all parts share is printed once.
 std::vector<std::string> instantiation_notes(const std::vector<driver::Part>& parts) {
     std::vector<const driver::Project*> finite;
     for (const driver::Part& part : parts)
@@ -130,7 +130,7 @@ bool write_normal_form(driver::Project& project, const Options& options, const i
     return write_all("", std::vector<Script>{script}, report.csp_files, options, project);
 }
 
-/// The format by the extension .aut, .dot or .csp.
+/// Returns the format for the extension .aut, .dot or .csp.
 conformance::Export export_format(const std::string& path) {
     using conformance::Export;
     const auto dot = path.rfind('.');
@@ -169,14 +169,14 @@ bool export_fits(driver::Project& project, const Options& options, std::size_t c
     return false;
 }
 
-/// The folder for the files of a component: "cpp/C/", or "ros2/C/" for a project.
+/// Returns the folder for the files of a component: "cpp/C/", or "ros2/C/" for a project.
 std::string cpp_folder(const driver::Project& project, const Options& options, const ir::ComponentRef& component) {
     constexpr std::array<const char*, 7> folders{"cpp", "library", "main", "ros2", "enki", "argos", "python"};
     return fmt::format("{}/{}{}/", folders[static_cast<std::size_t>(options.code.target)], project.folder,
                        file_name(project, component));
 }
 
-/// The path of the first text that is not a library; "" if there is none.
+/// Returns the path of the first text that is not a library; "" if there is none.
 std::string first_file(const driver::Part& part) {
     if (!part.project->model) return "";
     const auto& files = part.project->model->files;
@@ -275,7 +275,7 @@ bool write_csp(driver::Project& project, const Options& options, Report& report)
                                 ir::describe_classes(classes.project->system), options, report);
         if (!classes.project->diagnostics.ok()) project.diagnostics.add(classes.project->diagnostics);
     }
-    // A check has reported the findings of the script already.
+    // A check has already reported the findings of the script.
     if (other && options.verb == Verb::emit_csp) project.diagnostics.add(exported.diagnostics);
     return written;
 }
@@ -295,8 +295,8 @@ std::optional<cpp_emit::ros2::Mapping> read_mapping(driver::Project& project, co
     return std::nullopt;
 }
 
-/// The component of the mapping, which is the only one to write. If it does not exist, reports a finding and returns an
-/// empty list.
+/// Returns the component of the mapping, which is the only component to write. If it does not exist, reports a finding
+/// and returns an empty list.
 std::vector<ir::ComponentRef> mapped_component(driver::Project& project,
                                                const std::vector<ir::ComponentRef>& components,
                                                const cpp_emit::ros2::Mapping& mapping) {
@@ -339,7 +339,7 @@ void check_strategy(const driver::Project& project, const std::vector<ir::Compon
                             ir::qualified_name(component)));
 }
 
-/// RoboSim: --cycle sets the cycles of the components in place of their `cycleDef`.
+/// Replaces the `cycleDef` of RoboSim components by the value of --cycle.
 void set_cycles(driver::Project& project, const std::vector<ir::ComponentRef>& components, const Options& options) {
     if (!options.code.cycle_given) return;
     for (const ir::ComponentRef& component : components)
@@ -402,7 +402,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
 
 namespace {
 
-/// The component as a module; null if it is not a module.
+/// Returns the component as a module; null if it is not a module.
 const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& component) {
     return component.kind == ir::ComponentKind::module ? &system.modules[component.definition] : nullptr;
 }
@@ -435,7 +435,7 @@ bool write_prism(driver::Project& project, const Options& options, Report& repor
 
 namespace {
 
-/// The place where a component is declared.
+/// Returns the place where a component is declared.
 std::optional<runs::Place> declaration_place(const driver::Project& project, const ir::ComponentRef& component) {
     const ir::System& system = project.system;
     const auto place_of = [&](const ir::Origin& origin) { return driver::region_of(project.sources, origin.span); };
@@ -453,13 +453,14 @@ bool has_sequences(const ir::System& system) {
 
 namespace {
 
-/// The code is compared over the carriers if `--concrete` or ranges are given, otherwise over all values.
+/// Returns the values with which the code is compared: the carriers if `--concrete` or ranges are given, otherwise all
+/// values.
 conformance::Numbers numbers_to_compare(const driver::Project& project, const Options& options) {
     const bool carriers = options.claims.concrete || driver::chooses_ranges(project);
     return carriers ? conformance::Numbers::carriers : conformance::Numbers::all;
 }
 
-/// The claims about cycles of a component; null if there are none.
+/// Returns the claims about the cycles of a component; null if there are none.
 std::shared_ptr<const conformance::CycleClaims> cycle_claims(const driver::Project& project,
                                                              const ir::ComponentRef& component) {
     conformance::CycleClaims claims;
@@ -589,8 +590,8 @@ void note_nothing_checked(const std::vector<driver::Part>& parts, const Options&
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
 }
 
-/// True if a part has components for the verb. If there are several parts, a part may contain only types; no code is
-/// generated for such a part.
+/// True if a part has components for the verb. One of several parts may contain only types; no code is generated for
+/// it.
 bool has_components(const driver::Part& part, const std::vector<driver::Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
@@ -618,8 +619,8 @@ bool show_all(const std::vector<driver::Part>& parts, const Options& options) {
     return good;
 }
 
-/// The first part that is rejected because the command line is wrong. If there is only one part, also if its model is
-/// wrong.
+/// Returns the first part that is rejected because the command line is wrong. A single part is also returned if its
+/// model is wrong.
 const driver::Project* first_refused(const std::vector<driver::Part>& parts, const Options& options) {
     for (const driver::Part& part : parts) {
         if (is_acceptable(*part.project, options.load)) continue;
@@ -675,7 +676,7 @@ void keep_last_page(const std::vector<driver::Part>& parts, const Options& optio
                                     }));
 }
 
-/// The result if no part is processed: the diagnostics of this part and, with --html, a page with the errors.
+/// Outputs the result if no part is processed: the diagnostics of this part and, with --html, a page with the errors.
 Exit refuse_parts(const driver::Project& stopped, const std::vector<driver::Part>& parts, const Options& options,
                   Report& report) {
     if (refusal_code(stopped) != Exit::usage) {
@@ -746,7 +747,8 @@ Exit take_phase(driver::Project& project, const Options& options, std::string& t
     return Exit::success;
 }
 
-/// Prints the phases to stdout, part by part; if there are several parts, each under its name.
+/// Prints the phases to stdout, part by part. If there are several parts, the name of each part is printed above its
+/// phase.
 Exit print_phases(const std::vector<driver::Part>& parts, const Options& options) {
     Exit exit = Exit::success;
     std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The register that every back end of the code benchmark writes. With CHECK, all stores are hashed in order.
+// Defines the register that every back end of the code benchmark writes. With CHECK, all stores are hashed in order.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Machine M2 of the code benchmark as hand-written code. For events 2 and 3 a time unit passes.
+// Implements machine M2 of the code benchmark by hand. For events 2 and 3, a time unit passes.
 #pragma once
 
 #include <cstdint>

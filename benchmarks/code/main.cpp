@@ -1,5 +1,6 @@
-// Runs the back ends. With CHECK it compares their stores over 20,000 random events. Otherwise it times them against the
-// hand-written switch, on a random stream of 65,536 events and on a stream that repeats after 16.
+// Runs the back ends. With CHECK, it compares their stores over 20,000 random events. Otherwise, it compares their time
+// with that of the hand-written switch, on a random stream of 65,536 events and on a stream that repeats after 16
+// events.
 //
 // Prints a line per machine and stream: nanoseconds per step of the switch, of the switch compiled a second time, and of
 // the generated code.
@@ -88,7 +89,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Nanoseconds per step: the median of the passes over the stream, without the first ones.
+/// Returns the nanoseconds per step, as the median of the passes over the stream without the first ones.
 double time(const BackEnd& end, const std::vector<std::uint8_t>& events) {
     alignas(16) Memory memory{};
     end.begin(memory.data());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One back end of one machine as a translation unit: a step that is not inlined, for an event that is unknown at
-// compile time. MACHINE is m1 to m4, NAME its name in the generated HEADER, BACK_END switch, again or generated;
-// GENERATED is 1 for the last. TICKS 1: events above 1 are time units.
+// Compiles one back end of one machine as a translation unit: a step that is not inlined, for an event that is unknown
+// at compile time. MACHINE is m1 to m4, NAME is its name in the generated HEADER. BACK_END is switch, again or
+// generated; GENERATED is 1 for the last. If TICKS is 1, events above 1 are time units.
 #include <cstddef>
 #include <cstdint>
 
@@ -63,7 +63,7 @@ void OF_BACK_END(_begin)(void* state) {
 #endif
 
 #ifdef LOOP
-/// In this unit and not in the driver, so that the call is direct.
+/// Runs all events. The function is in this unit and not in the driver, so that the call is direct.
 void OF_BACK_END(_run)(void* state, const std::uint8_t* events, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) OF_BACK_END(_step)(state, events[i]);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packages, units, components and forms of claims. See check.hpp.
+// Checks packages, units, components and forms of claims. See check.hpp.
 #include "claims/checks/check.hpp"
 
 #include <fmt/format.h>
@@ -89,7 +89,8 @@ private:
         return result;
     }
 
-    /// If the name denotes both a RoboChart and a RoboSim component, the claim is about the RoboChart component.
+    /// Removes the RoboSim components if the name denotes components of both notations. The claim is then about the
+    /// RoboChart component.
     static void prefer_robochart(std::vector<const Component*>& components) {
         const auto in_robosim = [](const Component* component) { return component->robosim; };
         if (!std::ranges::all_of(components, in_robosim)) std::erase_if(components, in_robosim);
@@ -106,7 +107,7 @@ private:
         return fmt::format("{}", fmt::join(paths, ", "));
     }
 
-    /// The only module; without modules the only controller; without controllers the only machine.
+    /// Returns the only module; without modules the only controller; without controllers the only machine.
     [[nodiscard]] const Component& only_component(const Claim& claim, const ClaimFile& file) const {
         for (const ir::ComponentKind kind :
              {ir::ComponentKind::module, ir::ComponentKind::controller, ir::ComponentKind::machine}) {
@@ -266,7 +267,7 @@ private:
         }
     }
 
-    /// `possible in S`, where S is a state and no event.
+    /// Returns the condition of `possible in S`, where S is a state and not an event.
     static ExprPtr state_of_possible(const Body& body, const CheckedClaim& claim, const FactResolver& facts) {
         if (body.kind != BodyKind::possible || body.events.patterns.size() != 1) return nullptr;
         const Pattern& pattern = body.events.patterns.front();
@@ -296,7 +297,7 @@ private:
         throw ClaimError{};
     }
 
-    /// `can take E` is about one input of a machine, everywhere or while it is in one state.
+    /// Checks that `can take E` is about one input of a machine, always or while the machine is in one state.
     void check_readiness(const Claim& claim, const CheckedClaim& checked) {
         if (checked.component.kind != ir::ComponentKind::machine)
             refuse(claim.name.span, "`can take` is about one machine: write `of MACHINE`");
@@ -318,8 +319,8 @@ private:
                     refuse(match.span, "a cycle begins with inputs: `in a cycle with estop`");
     }
 
-    /// A claim about control cycles observes the inputs that are raised, but not the events that a machine takes. It
-    /// may contain durations unless its scope is a single cycle.
+    /// Checks a claim about control cycles. Such a claim observes the inputs that are raised, but not the events that a
+    /// machine takes. It may contain durations unless its scope is a single cycle.
     void check_cycle(const Claim& claim, const CheckedClaim& checked) {
         const bool alone = checked.scope.kind == ScopeKind::cycle;
         if (alone && claim.body.duration) refuse(claim.body.duration->span, "a cycle has no time inside");
@@ -336,7 +337,8 @@ private:
              {&claim.scope.last, &claim.body.events, &claim.body.others, &claim.body.exceptions})
             require_raised(*events, false);
     }
-    /// `whole`: true for the event of the scope `in a cycle with E`, which is a raised event without the word `raised`.
+    /// Reports events that are not raised events. `whole` is true for the event of the scope `in a cycle with E`, which
+    /// is a raised event without the word `raised`.
     void require_raised(const EventSet& events, bool whole) {
         for (const Pattern& pattern : events.patterns) {
             if (pattern.kind == PatternKind::enter || pattern.kind == PatternKind::leave)
@@ -347,7 +349,7 @@ private:
         }
     }
 
-    /// An assumption may restrict only what the environment decides, that is, when inputs occur.
+    /// Checks an assumption, which may restrict only what the environment decides, that is, when inputs occur.
     void check_assumption(const Claim& claim, const CheckedClaim& checked) {
         const CheckedBody& body = checked.body;
         if (body.kind == BodyKind::possible || body.kind == BodyKind::leads || !checked.facts.empty())
@@ -431,7 +433,7 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     std::vector<Component> components_;
     CheckedClaims result_;
-    std::set<std::string> inputs_;  ///< of the component of the claim
+    std::set<std::string> inputs_;  ///< inputs of the claim's component
     /// Unconnected events that have been reported: component, machine, event.
     std::set<std::tuple<std::string, std::string, std::string>> reported_;
 };

@@ -15,11 +15,11 @@ namespace robochart::claims {
 /// The model that claims are about.
 struct ClaimedModel {
     const ir::System& system;
-    std::vector<std::string> packages;  ///< of all files of the model
-    std::vector<std::string> names;     ///< of its assertions, with which claims may not share names
+    std::vector<std::string> packages;  ///< packages of all files of the model
+    std::vector<std::string> names;     ///< names of the model's assertions, which claims must not use
 };
 
-/// The claims of these files. Findings are reported; the result contains the claims without errors.
+/// Resolves the claims of these files and reports findings. The result contains the claims without errors.
 [[nodiscard]] CheckedClaims check_claims(const std::vector<std::shared_ptr<const ClaimFile>>& files,
                                          const ClaimedModel& model, const diagnostics::SourceManager& sources,
                                          diagnostics::Diagnostics& diagnostics);

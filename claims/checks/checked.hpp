@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims after name resolution: events are numbers of channels, durations are time units.
+// Defines claims after name resolution: events are numbers of channels, durations are time units.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Condition {
     Op op = Op::conjunction;
     Fraction value;
     std::size_t index = 0;
-    ir::TypeId type = {};  ///< of constants and variables of an enumeration, of truth values and of variables
+    ir::TypeId type = {};  ///< type of a constant or variable of an enumeration, of a truth value or of a variable
     std::vector<Condition> parts;
 
     friend bool operator==(const Condition&, const Condition&) = default;
@@ -40,7 +40,7 @@ struct Condition {
 /// A fact about a machine that a claim reads in addition to events: the machine is in a state, or its variables satisfy
 /// a condition.
 struct Fact {
-    std::string machine;  ///< its path in the script: "warehouse::Warehouse::brain::patrol"
+    std::string machine;  ///< path of the machine in the script: "warehouse::Warehouse::brain::patrol"
     ir::MachineId of;
     std::optional<ir::NodeId> state;
     Condition condition;  ///< the condition on variables, if the fact is not about a state
@@ -55,9 +55,9 @@ enum class Change : std::uint8_t { none, begins, ends };
 
 /// The events of some channels for which a condition holds.
 struct EventMatch {
-    std::vector<std::size_t> channels;   ///< ascending; of the claim's component
+    std::vector<std::size_t> channels;   ///< channels of the claim's component, ascending
     std::optional<Condition> condition;  ///< only for a single channel
-    Change change = Change::none;        ///< `enter S`, `leave S`: no channels
+    Change change = Change::none;        ///< set for `enter S` and `leave S`, which have no channels
     std::size_t fact = 0;                ///< the fact that changes
     std::string text;                    ///< as written
     Span span;
@@ -83,7 +83,7 @@ struct CheckedScope {
 struct CheckedBody {
     BodyKind kind = BodyKind::never;
     Events events, others, exceptions;
-    std::optional<Condition> condition;  ///< on facts; `possible`: no value if it is about events
+    std::optional<Condition> condition;  ///< condition on facts; `possible`: no value if it is about events
     std::string condition_text;          ///< as written
     std::optional<std::int64_t> units;
     std::int64_t count = 0;

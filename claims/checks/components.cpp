@@ -24,7 +24,7 @@ void add_events(const std::vector<ir::Event>& events, Component& component) {
     }
 }
 
-/// RoboSim: the events of the input context, which are registers of the machine.
+/// Adds the events of the input context of a RoboSim machine, which are registers of the machine.
 void add_registers(const ir::Machine& machine, Component& component) {
     for (const ir::Input& input : machine.inputs) {
         if (!input.full.is_valid()) continue;
@@ -38,7 +38,7 @@ void add_call(const ir::OperationSignature& operation, Component& component) {
     component.channels.push_back({operation.name, ChannelKind::call, operation.parameters});
 }
 
-/// The other ends of the connections of an event of a part.
+/// Returns the ends of connections that are connected to an event of a part.
 std::vector<const ir::ConnectionEnd*> ends_of(const std::vector<ir::Connection>& connections, std::size_t part,
                                               const std::string& event) {
     const auto is_here = [&](const ir::ConnectionEnd& end) {
@@ -130,7 +130,8 @@ private:
 
     // ------------------------------------------------------------ parts
 
-    /// `module`: the module in which the controller runs, as its part `number`; null: it is alone.
+    /// Adds events of the controller that trigger transitions without being raised. `module` is the module in which the
+    /// controller runs as part `number`; null if the controller is alone.
     void add_spontaneous(const ir::Controller& controller, const ir::Module* module, std::size_t number,
                          Component& component) const {
         const auto raised = [&](std::size_t part, const std::string& event) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The components of a model, with the events and calls that are visible from outside.
+// Lists the components of a model, with the events and calls that are visible from outside.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ enum class ChannelKind : std::uint8_t { input, output, call };
 struct Channel {
     std::string name;
     ChannelKind kind = ChannelKind::input;
-    std::vector<ir::TypeId> types;  ///< of the values that it carries
+    std::vector<ir::TypeId> types;  ///< types of the values that it carries
 
     friend bool operator==(const Channel&, const Channel&) = default;
 };
 
 /// A machine in a component, or the component itself.
 struct MachinePart {
-    std::string path;  ///< as in the script
+    std::string path;  ///< path as in the script
     ir::MachineId machine;
 };
 
@@ -39,16 +39,16 @@ struct ComponentConstant {
 /// spontaneously.
 struct Spontaneous {
     std::string event, machine;
-    diagnostics::Span span;  ///< of the event
+    diagnostics::Span span;  ///< place of the event
 };
 
 /// A module, a controller or a machine, alone or as a part of another component.
 struct Component {
     ir::ComponentKind kind = ir::ComponentKind::module;
-    std::string path;      ///< as in the script: "warehouse::Warehouse::brain::patrol"
+    std::string path;      ///< path as in the script: "warehouse::Warehouse::brain::patrol"
     std::string package;   ///< "" if unnamed
-    bool part = false;     ///< a part of another component
-    bool robosim = false;  ///< it is written in RoboSim
+    bool part = false;     ///< true for a part of another component
+    bool robosim = false;  ///< true if it is written in RoboSim
     std::vector<Channel> channels;
     std::vector<std::string> defined = {};  ///< operations that the model defines for this component
     std::vector<MachinePart> machines = {};
@@ -57,7 +57,7 @@ struct Component {
     std::set<std::string> sources = {};             ///< the constants that determine its behaviour; with those of parts
 };
 
-/// The components of a system; each before its parts.
+/// Returns the components of a system, each before its parts.
 [[nodiscard]] std::vector<Component> components_of(const ir::System& system);
 
 }  // namespace robochart::claims

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The types of conditions, and their operators and literals. The caller defines the meaning of names.
+// Resolves the types, operators and literals of conditions. The caller defines the meaning of names.
 #pragma once
 
 #include <functional>
@@ -34,8 +34,8 @@ public:
     ConditionResolver(const ir::System& system, diagnostics::Diagnostics& diagnostics)
         : system_(system), diagnostics_(diagnostics) {}
 
-    /// Resolves a name, a last value or a state; `resolve` calls it for everything but numbers, truth values and
-    /// operators.
+    /// Resolves a name, a last value or a state. `resolve` calls this function for everything except numbers, truth
+    /// values and operators.
     using Leaf = std::function<Typed(const Expr&)>;
     [[nodiscard]] Typed resolve(const Expr& expr, const Leaf& leaf) const;
     /// Like `resolve`, but reports an error if the expression is not a truth value.

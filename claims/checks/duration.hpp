@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Durations of claims as exact numbers of nanoseconds and of time units (docs/claims.md, "One unit").
+// Converts durations of claims to exact numbers of nanoseconds and of time units (docs/claims.md, "One unit").
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace robochart::claims {
 
-/// The longest duration that is decided, in time units.
+/// The longest duration, in time units, for which claims are decided.
 inline constexpr std::int64_t most_units = 10'000;
 
-/// The nanoseconds of a duration in seconds, minutes or hours. No value if it is finer than a nanosecond or longer
-/// than a hundred years.
+/// Returns the nanoseconds of a duration in seconds, minutes or hours. Returns no value if the duration is not a whole
+/// number of nanoseconds, or is longer than a hundred years.
 [[nodiscard]] std::optional<std::int64_t> nanoseconds_of(const Duration& duration);
 
-/// The number of units of a duration, or the reason why there is none.
+/// Returns the number of time units of a duration, or the reason why the duration has none.
 [[nodiscard]] durations::UnitCount units_of(const Duration& duration, durations::Unit unit);
 
 }  // namespace robochart::claims

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact fractions: the values of conditions.
+// Computes with exact fractions, which are the values of conditions.
 #pragma once
 
 #include <compare>
@@ -9,19 +9,20 @@
 
 namespace robochart::claims {
 
-/// Thrown if a condition cannot be computed exactly; the text says why.
+/// Thrown if a condition cannot be computed exactly; the text contains the reason.
 struct NotComputable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A fraction in lowest terms. Arithmetic throws NotComputable if a part does not fit into 64 bits.
+/// A fraction in lowest terms. Arithmetic throws NotComputable if the numerator or denominator does not fit into 64
+/// bits.
 class Fraction {
 public:
     constexpr Fraction() = default;
     explicit constexpr Fraction(std::int64_t number) : above_(number) {}
     /// `below` is positive.
     Fraction(std::int64_t above, std::int64_t below) { *this = reduced(above, below); }
-    /// The value of digits with at most one point, such as "0.25".
+    /// Returns the value of digits with at most one point, such as "0.25".
     [[nodiscard]] static Fraction of_decimal(std::string_view text);
 
     [[nodiscard]] std::int64_t numerator() const { return above_; }

@@ -174,7 +174,8 @@ void EventResolver::add_arguments(const Pattern& pattern, const Channel& channel
 
 // ---------------------------------------------------------------- conditions
 
-/// A channel is remembered once, even if the claim reads its last value at several places.
+/// Returns the index of the remembered channel. A channel is remembered once, even if the claim reads its last value at
+/// several places.
 std::size_t EventResolver::remember(const Expr& expr) {
     const std::size_t channel = find_channel({expr.text, expr.span}, Direction::none);
     if (claim_.component.channels[channel].types.size() != 1)
@@ -196,7 +197,7 @@ Typed EventResolver::resolve_name(const Expr& expr, const Channel& channel, cons
                                expr.text, channel.name));
 }
 
-/// The names of the event's values, literals, and last values.
+/// Resolves the names of the event's values, literals, and last values.
 Typed EventResolver::resolve_leaf(const Expr& expr, const Channel& channel, const Variables& variables) {
     if (expr.op == Op::in_state)
         conditions_.refuse(expr.span,

@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::string_view separator = "::";
 
-/// The state that the condition `in STATE` names. Only the name is replaced by fixes.
+/// Returns the state that the condition `in STATE` names. Fixes replace only this name.
 Name state_name(const Expr& in_state) {
     Span span = in_state.span;
     span.begin = std::max(span.begin, span.end - static_cast<std::uint32_t>(in_state.text.size()));
     return {in_state.text, span};
 }
 
-/// "patrol::retries" without its last part; "" if there is only one part.
+/// Returns the name without its last part: "patrol" for "patrol::retries"; "" if there is only one part.
 std::string prefix_of(const std::string& name) {
     const std::size_t end = name.rfind(separator);
     return end == std::string::npos ? "" : name.substr(0, end);

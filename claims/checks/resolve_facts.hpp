@@ -23,9 +23,9 @@ public:
     /// Returns a condition whose operands are facts. If a part of it reads variables of only one machine and no state,
     /// the whole part becomes one fact.
     [[nodiscard]] Condition resolve(const Expr& expr);
-    /// The fact that a machine is in the state.
+    /// Returns the index of the fact that a machine is in the state.
     [[nodiscard]] std::size_t fact_of_state(const Name& name);
-    /// The text at a place.
+    /// Returns the text at a place.
     [[nodiscard]] std::string written(Span span) const {
         return std::string(sources_.source_text(span.source).substr(span.begin, span.end - span.begin));
     }
@@ -42,11 +42,12 @@ private:
     };
     [[nodiscard]] const std::vector<MachinePart>& parts() const { return claim_.component.machines; }
     [[nodiscard]] const ir::Machine& machine(std::size_t part) const { return system_.machine(parts()[part].machine); }
-    /// True if `prefix` names the machine: its path, the end of its path, or the name of its declaration.
+    /// True if `prefix` names the machine. It may be the machine's path, the end of this path, or the name of its
+    /// declaration.
     [[nodiscard]] bool names_machine(std::size_t part, const std::string& prefix) const;
     [[nodiscard]] std::vector<Found> find_variables(const std::string& name) const;
     [[nodiscard]] Found find_variable(const Expr& name) const;
-    /// The machines whose variables the expression reads; `state` is set if it reads a state.
+    /// Collects the machines whose variables the expression reads. Sets `state` if the expression reads a state.
     void collect_machines(const Expr& expr, std::vector<std::size_t>& machines, bool& state) const;
     [[nodiscard]] Condition fact_of_variables(const Expr& expr, const std::vector<std::size_t>& machines);
     [[nodiscard]] std::size_t add(Fact fact);

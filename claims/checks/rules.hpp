@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings about names, values and durations in claims, as a table.
+// Declares the findings about names, values and durations in claims.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time unit that claims files declare (docs/claims.md, "One unit").
+// Finds the time unit that claims files declare (docs/claims.md, "One unit").
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace robochart::claims {
 
-/// `unit 0.1 s`.
+/// A declared unit, such as `unit 0.1 s`.
 struct DeclaredUnit {
     std::int64_t nanoseconds = 0;
     Span span;
 };
 
-/// The unit of these files; no value if none declares it. Wrong declarations, and those that differ from the first, are
-/// reported.
+/// Returns the unit of these files; no value if no file declares one. Reports wrong declarations, and declarations that
+/// differ from the first.
 [[nodiscard]] std::optional<DeclaredUnit> find_unit(const std::vector<std::shared_ptr<const ClaimFile>>& files,
                                                     const diagnostics::SourceManager& sources,
                                                     diagnostics::Diagnostics& diagnostics);
 
-/// Reports, at each of the two places, that they declare different units.
+/// Reports at both places that the two declarations differ.
 void report_difference(const DeclaredUnit& one, const DeclaredUnit& other, const diagnostics::SourceManager& sources,
                        diagnostics::Diagnostics& diagnostics);
 

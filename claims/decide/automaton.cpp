@@ -25,7 +25,7 @@ class Explorer {
 public:
     Explorer(const CheckedClaim& claim, const std::vector<Letter>& letters) : monitor_(claim), letters_(letters) {}
 
-    /// Inputs are collected in each cycle.
+    /// Makes the explorer collect the inputs of each cycle.
     void collect_inputs(const CheckedClaim& claim, const std::vector<DroppedChannel>& drops) {
         for (const Letter& letter : letters_)
             collected_.push_back(letter.facts.empty() &&
@@ -55,7 +55,8 @@ private:
         return known->second;
     }
 
-    /// A copy of the state, because new states are added meanwhile.
+    /// Returns the state of the automaton with its successors. `state` is a copy, because new states are added
+    /// meanwhile.
     AutomatonState successors_of(const Situation state) {
         AutomatonState result;
         const MonitorState now = after_inputs(state);
@@ -76,7 +77,8 @@ private:
         return result;
     }
 
-    /// `now`: the state of the monitor after it has observed the collected inputs.
+    /// Returns the situation after a letter. `now` is the state of the monitor after it has observed the collected
+    /// inputs.
     [[nodiscard]] Situation after_letter(const Situation& state, const MonitorState& now, std::size_t number) const {
         if (!collected_.empty() && collected_[number]) {
             Situation next = state;
@@ -107,7 +109,7 @@ private:
 
     Monitor monitor_;
     const std::vector<Letter>& letters_;
-    std::vector<bool> collected_;  ///< by letter; empty: none
+    std::vector<bool> collected_;  ///< index: the letter; empty if inputs are not collected
     std::vector<DroppedChannel> drops_;
     std::map<Situation, std::size_t> numbers_;
     std::vector<Situation> states_;

@@ -30,12 +30,12 @@ Tree state_name(std::size_t number, const std::string& variant, std::size_t stat
     return build::name(fmt::format("claims__{}{}_{}", number, variant, state));
 }
 
-/// The events of a state of the automaton that lead to states of the variant.
+/// Returns the events of a state of the automaton that lead to states of the variant.
 template <class InVariant>
 Exprs moves_of(const AutomatonState& state, const std::vector<Letter>& letters, std::size_t number,
                const std::string& variant, const InVariant& in_variant) {
     Exprs result;
-    std::map<std::size_t, Exprs> events;  // by successor
+    std::map<std::size_t, Exprs> events;  // key: the successor
     for (std::size_t i = 0; i < letters.size(); ++i)
         if (state.by_letter[i] && in_variant(*state.by_letter[i]))
             std::ranges::copy(letters[i].prefixes, std::back_inserter(events[*state.by_letter[i]]));
@@ -48,7 +48,7 @@ Exprs moves_of(const AutomatonState& state, const std::vector<Letter>& letters, 
     return result;
 }
 
-/// All events of the letters, and tock.
+/// Returns the set of all events of the letters, and tock.
 Tree seen_by(const std::vector<Letter>& letters) {
     Exprs items;
     for (const Letter& letter : letters) std::ranges::copy(letter.prefixes, std::back_inserter(items));
@@ -92,9 +92,9 @@ private:
 
     struct Variant {
         std::string name;
-        bool free_time = false;  ///< states that owe nothing have `claims__free`
+        bool free_time = false;  ///< states without a pending demand have `claims__free`
     };
-    /// One definition for each state. Transitions to states that are not in the variant are left out.
+    /// Adds one definition for each state. Leaves out transitions to states that are not in the variant.
     template <class InVariant>
     void add_processes(std::vector<DeclPtr>& declarations, const Variant& variant, const InVariant& in_variant) const {
         for (std::size_t at = 0; at < automaton_.size(); ++at) {
@@ -109,10 +109,10 @@ private:
         }
     }
 
-    /// For `leads to` without a limit. The process "w" follows the monitor until, in a state in which a response is
-    /// pending, it selects this pending response. From then on, the process "c" makes the passing time units visible,
-    /// and refuses the response and the end of its scope. A response stays pending forever iff some run contains
-    /// infinitely many of these visible time units.
+    /// Adds the processes for `leads to` without a limit. The process "w" follows the monitor until, in a state in
+    /// which a response is pending, it selects this response. From then on, the process "c" makes the passing time
+    /// units visible, and refuses the response and the end of its scope. A response stays pending forever iff some run
+    /// contains infinitely many of these visible time units.
     void add_followed_debt(std::vector<DeclPtr>& declarations) const {
         for (std::size_t at = 0; at < automaton_.size(); ++at) {
             const AutomatonState& state = automaton_[at];
@@ -144,7 +144,8 @@ private:
     [[nodiscard]] Tree seen() const { return seen_by(letters_); }
     [[nodiscard]] Tree visible() const { return build::project(process_, seen()); }
 
-    /// The assertion that an event that the claim restricts occurs in some run. Conditions on last values are ignored.
+    /// Returns the assertion that some run contains an event that the claim restricts. Ignores conditions on last
+    /// values.
     [[nodiscard]] DeclPtr happens() const {
         const BodyKind kind = claim_.body.kind;
         const bool restricts = kind == BodyKind::never || kind == BodyKind::only_after ||
@@ -194,7 +195,7 @@ Decision decide_by_processes(const CheckedClaim& claim, const std::vector<Letter
 
 namespace {
 
-/// The letters that answer what the assumption demands, with their other names.
+/// Returns the letters of the responses that the assumption demands, each with its second name.
 std::map<std::size_t, Assumed::Due> due_letters(const CheckedClaim& claim, const std::vector<Letter>& letters,
                                                 const Automaton& automaton, std::size_t number) {
     std::map<std::size_t, Assumed::Due> result;

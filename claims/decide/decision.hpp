@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A claim as processes and assertions in the timed script of its component (docs/claims.md, "How a claim is decided").
+// Expresses a claim by processes and assertions in the timed script of its component (docs/claims.md, "How a claim is
+// decided").
 #pragma once
 
 #include <string>
@@ -26,14 +27,14 @@ struct Decision {
     std::vector<cspm::DeclPtr> declarations;  ///< processes
     cspm::DeclPtr holds;
     cspm::DeclPtr asked;       ///< null if the claim can already be broken in the initial state
-    cspm::DeclPtr happens;     ///< null if the claim is of a kind that does not restrict its events
+    cspm::DeclPtr happens;     ///< null if this kind of claim does not restrict its events
     cspm::DeclPtr standstill;  ///< null if the claim never demands an event
-    cspm::ExprPtr waiting;     ///< a process; null if every demand has a time limit
+    cspm::ExprPtr waiting;     ///< the process of `waiting`; null if every demand has a time limit
     static constexpr const char* waiting_event = "claims__waiting";
 };
 
-/// `number` is the number of the claim, which the names of the processes contain. `outputs` are the events that the
-/// environment takes at once.
+/// Makes the declarations for a claim. `number` is the number of the claim, which the names of the processes contain.
+/// `outputs` are the events that the environment takes at once.
 [[nodiscard]] Decision decide_by_processes(const CheckedClaim& claim, const std::vector<Letter>& letters,
                                            const Automaton& automaton, std::size_t number, const cspm::ExprPtr& process,
                                            const std::vector<cspm::ExprPtr>& outputs);
@@ -46,7 +47,7 @@ struct Assumed {
     /// A response that the assumption demands.
     struct Due {
         std::string event;     ///< "P::M::clear.in"
-        cspm::ExprPtr prefix;  ///< the same as an expression
+        cspm::ExprPtr prefix;  ///< the same event as an expression
         std::string due;       ///< the event that replaces it when it is due
     };
     std::vector<cspm::DeclPtr> declarations;
@@ -57,7 +58,7 @@ struct Assumed {
 [[nodiscard]] Assumed assume_by_processes(const CheckedClaim& claim, const std::vector<Letter>& letters,
                                           const Automaton& automaton, std::size_t number, cspm::ExprPtr component);
 
-/// The declaration of the channels that the processes of all claims share.
+/// Returns the declaration of the channels that the processes of all claims share.
 [[nodiscard]] cspm::DeclPtr shared_channels();
 
 }  // namespace robochart::claims

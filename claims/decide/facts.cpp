@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts about machines as expressions of the script. Numbers are compared exactly: the script's values are whole, reals
-// are multiples of 1 / scale, and a fraction is kept as a whole number and its denominator.
+// Converts facts about machines to expressions of the script. Numbers are compared exactly. The script's values are
+// whole numbers, and reals are multiples of 1 / scale. A fraction is represented by a whole number and its denominator.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace build = cspm::build;
 using Kind = cspm::ExprKind;
 using Tree = cspm::ExprPtr;
 
-/// `above` / `below`.
+/// The number `above` / `below`.
 struct Number {
     Tree above;
     std::int64_t below = 1;
@@ -62,19 +62,19 @@ private:
                                                     : names_.constant(ir::ConstantId{index});
     }
 
-    /// A truth value or a literal.
+    /// Returns a truth value or a literal as an expression.
     [[nodiscard]] Tree value_of(const Condition& constant) const {
         if (constant.type == ir::boolean_type) return build::boolean(constant.value != Fraction(0));
         return build::name(
             csp_emit::literal_name(system_.type(constant.type), static_cast<std::size_t>(constant.value.numerator())));
     }
 
-    /// True for the operands of the comparison of truth values and literals.
+    /// True if the condition is a number; false for truth values and literals.
     [[nodiscard]] bool is_number(const Condition& condition) const {
         if (condition.operand == Operand::none)
             return condition.op == Op::negate || condition.op == Op::add || condition.op == Op::subtract ||
                    condition.op == Op::multiply || condition.op == Op::modulus;
-        if (!condition.type.is_valid()) return true;  // a number as written
+        if (!condition.type.is_valid()) return true;  // a number in the text
         const ir::TypeKind kind = system_.type(condition.type).kind;
         return kind == ir::TypeKind::nat || kind == ir::TypeKind::integer || kind == ir::TypeKind::real;
     }
@@ -155,7 +155,7 @@ private:
                 product(left.below, right.below / common)};
     }
 
-    /// The remainder is at least 0, even if the remainder in the script is negative.
+    /// Returns the remainder, which is at least 0 even if the remainder in the script is negative.
     [[nodiscard]] static Number remainder(const Number& left, const Number& right, const Condition& divisor) {
         const bool positive = divisor.operand == Operand::constant && divisor.value > Fraction(0);
         if (left.below != 1 || right.below != 1 || !positive)

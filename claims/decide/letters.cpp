@@ -49,7 +49,7 @@ std::vector<LetterValue> values_of(const ir::Type& type, const ir::Instantiation
     return result;
 }
 
-/// The channels whose values some condition reads.
+/// Returns the channels whose values some condition reads.
 std::set<std::size_t> channels_with_values(const CheckedClaim& claim) {
     std::set<std::size_t> result(claim.remembered.begin(), claim.remembered.end());
     for (const Events* events : sets_of(claim))
@@ -58,7 +58,8 @@ std::set<std::size_t> channels_with_values(const CheckedClaim& claim) {
     return result;
 }
 
-/// A csp block may give numbers other values than the instantiation. It does not change enumerations and truth values.
+/// Throws NotDecided if one of the channels carries numbers, because a csp block may give numbers other values than the
+/// instantiation. It does not change enumerations and truth values.
 void refuse_numbers(const CheckedClaim& claim, const std::set<std::size_t>& channels, const ir::System& system) {
     for (const std::size_t channel : channels)
         for (const ir::TypeId type : claim.component.channels[channel].types) {
@@ -139,11 +140,11 @@ std::string shown_channel(const std::string& machine) {
 
 namespace {
 
-/// One letter for each combination of truth values of the claim's facts about a machine. The letter allows any values
-/// of the other facts that the machine shows.
+/// Returns one letter for each combination of truth values of the claim's facts about a machine. The letter allows any
+/// values of the other facts that the machine shows.
 std::vector<Letter> fact_letters(const CheckedClaim& claim, const std::string& machine,
                                  const std::vector<Fact>& facts) {
-    std::vector<std::optional<std::size_t>> of_claim;  // by the position in the event
+    std::vector<std::optional<std::size_t>> of_claim;  // index: the position in the event
     for (const Fact& fact : facts) {
         const auto found = std::ranges::find(claim.facts, fact);
         of_claim.push_back(found == claim.facts.end() ? std::nullopt

@@ -31,7 +31,7 @@ void Account::observe(const Occurrence& event, const std::string& text) {
         counted_.push_back(current_);
 }
 
-/// What began or ended with the current event.
+/// Records what began or ended with the current event.
 void Account::note_changes(const MonitorState& before, const Occurrence& observed) {
     const CheckedScope& scope = claim_.scope;
     const bool again = Monitor::matches(scope.first, observed, before) &&
@@ -67,7 +67,7 @@ void Account::observe(const std::vector<FactValue>& values) {
     if (!is_broken()) note_begun(before, state_.phase == Phase::inside && before.phase != Phase::inside);
 }
 
-/// "in Held ends": the facts that change.
+/// Describes the facts that change: "in Held ends".
 std::string Account::change_text(const MonitorState& before, const std::vector<FactValue>& values) const {
     std::string text;
     for (const FactValue& value : values) {
@@ -115,7 +115,7 @@ std::string Account::breaker_text() const {
     return "";
 }
 
-/// What the claim demands of the open trigger.
+/// Describes what the claim demands after the open trigger.
 std::string Account::demand_text() const {
     const CheckedBody& body = claim_.body;
     const std::int64_t from = trigger_ ? trigger_->time : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explains why a run breaks a claim: which event began the scope or was the trigger, what the claim demands, and what
-// broke it (docs/claims.md, "Answers").
+// broke the claim (docs/claims.md, "Answers").
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@ class Account {
 public:
     Account(const CheckedClaim& claim, durations::Unit unit);
 
-    /// `text`: the event for people, "goTo(3)".
+    /// Observes an event. `text` is its readable form, such as "goTo(3)".
     void observe(const Occurrence& event, const std::string& text);
-    /// A machine shows these facts.
+    /// Observes that a machine shows these facts.
     void observe(const std::vector<FactValue>& values);
     void tock();
     void end();
 
     [[nodiscard]] const MonitorState& state() const { return state_; }
     [[nodiscard]] bool is_broken() const { return state_.verdict == Verdict::broken; }
-    /// At most three sentences, after the claim was broken.
+    /// Returns at most three sentences that explain how the claim was broken.
     [[nodiscard]] std::vector<std::string> reasons() const;
-    /// The sentences for the case that time stops here while a response is pending.
+    /// Returns the sentences for the case that time stops here while a response is pending.
     [[nodiscard]] std::vector<std::string> reasons_of_standstill() const;
-    /// The sentences for the case that time passes forever from here on while a response is pending.
+    /// Returns the sentences for the case that time passes forever from here on while a response is pending.
     [[nodiscard]] std::vector<std::string> reasons_of_waiting() const;
-    /// "t=30 (3.0 s)".
+    /// Returns the time as "t=30 (3.0 s)".
     [[nodiscard]] std::string time_text(std::int64_t time) const;
 
 private:
@@ -59,8 +59,8 @@ private:
     MonitorState state_;
     std::int64_t now_ = 0;
     Moment current_;                    ///< the event that is being observed
-    std::optional<Moment> scope_;       ///< what began the scope
-    std::optional<Moment> trigger_;     ///< the event to count from: the oldest open trigger or the latest OTHERS
+    std::optional<Moment> scope_;       ///< the event that began the scope
+    std::optional<Moment> trigger_;     ///< start of the limit: the oldest open trigger or the latest OTHERS
     std::optional<std::int64_t> stay_;  ///< for_at_least, for_at_most: when the stay began
     std::vector<Moment> counted_;       ///< at_most: the counted events of the scope
     Breaker breaker_ = Breaker::event;

@@ -18,7 +18,7 @@ Fraction truth(bool value) {
     return Fraction(value ? 1 : 0);
 }
 
-/// The remainder of whole numbers, at least 0.
+/// Returns the remainder of whole numbers, which is at least 0.
 Fraction remainder(const Fraction& number, const Fraction& by) {
     if (!number.is_whole() || !by.is_whole() || by <= Fraction(0))
         throw NotComputable("`%` divides a whole number by a whole number above 0");
@@ -26,7 +26,7 @@ Fraction remainder(const Fraction& number, const Fraction& by) {
     return Fraction(rest < 0 ? rest + by.numerator() : rest);
 }
 
-/// No value if it uses a last value that does not exist, or a fact that is not known.
+/// Evaluates a condition. Returns no value if the condition uses a last value that does not exist, or an unknown fact.
 std::optional<Fraction> evaluate(const Condition& condition, const Operands& operands);
 
 std::optional<Fraction> evaluate_operator(const Condition& condition, const Operands& operands) {
@@ -91,12 +91,12 @@ std::optional<Fraction> evaluate(const Condition& condition, const Operands& ope
         }
         case Operand::variable:
         case Operand::of_model:
-            break;  // only in the condition of a fact
+            break;  // occurs only in the condition of a fact
     }
     return std::nullopt;
 }
 
-/// A condition on facts; unknown facts make it false.
+/// Evaluates a condition on facts; an unknown fact makes the condition false.
 bool holds(const std::optional<Condition>& condition, const MonitorState& state) {
     if (!condition) return false;
     const std::vector<Fraction> no_arguments;
@@ -150,14 +150,14 @@ MonitorState Monitor::begin() const {
     return state;
 }
 
-/// The scope begins.
+/// Begins the scope.
 void Monitor::enter(MonitorState& state) const {
     leave(state, Phase::inside);
     state.scope_left = claim_.scope.units;
     if (claim_.body.kind == BodyKind::every) state.left = claim_.body.units.value();
 }
 
-/// The scope ends, and nothing is pending any more.
+/// Ends the scope, so that nothing is pending any more.
 void Monitor::leave(MonitorState& state, Phase phase) const {
     MonitorState next;
     next.verdict = state.verdict;
@@ -175,8 +175,8 @@ void Monitor::observe(MonitorState& state, const Occurrence& event) const {
         if (claim_.remembered[i] == event.channel) state.last[i] = event.values.at(0);
 }
 
-/// A scope begins after its first event and ends before its last event. If one event does both, it ends one scope and
-/// begins the next. `for D after E` ends D time units after the last E, which belongs to the scope.
+/// Observes an event. A scope begins after its first event and ends before its last event. One event may end a scope
+/// and begin the next. `for D after E` ends D time units after the last E, which belongs to the scope.
 void Monitor::observe(MonitorState& state, const Seen& seen) const {
     const CheckedScope& scope = claim_.scope;
     const bool first = matches(scope.first, seen, state);
@@ -199,7 +199,7 @@ void Monitor::observe(MonitorState& state, const Seen& seen) const {
         case ScopeKind::after_each:
             if (!first) break;
             enter(state);
-            // An event that is counted and begins a scope counts in the scope that it begins.
+            // An event that begins a scope, and is counted, is counted in the scope that it begins.
             if (claim_.body.kind == BodyKind::at_most && matches(claim_.body.events, seen, state)) count(state);
             return;
         case ScopeKind::for_after:
@@ -240,7 +240,7 @@ void Monitor::tock(MonitorState& state) const {
     if (state.stay > 0) --state.stay;
 }
 
-/// The end of the component is never forbidden in itself, but it breaks the claim if a response is pending.
+/// Observes the end of the component. It is never forbidden, but it breaks the claim if a response is pending.
 void Monitor::end(MonitorState& state) const {
     if (state.verdict != Verdict::open) return;
     observe(state, Seen{.terminate = true});
@@ -261,9 +261,9 @@ bool Monitor::judges_facts(const MonitorState& state) const {
 
 // ---------------------------------------------------------------- states and variables
 
-/// The order is as follows: states are left, the scope of `while` ends or begins, states are entered. A change that
-/// ends the scope is observed after the end, and a change that begins the scope before the beginning. So neither is
-/// inside the scope.
+/// Observes the facts in this order: states are left, the scope of `while` ends or begins, states are entered. A change
+/// that ends the scope is observed after the end, and a change that begins the scope before the beginning. So neither
+/// change is inside the scope.
 void Monitor::observe(MonitorState& state, const std::vector<FactValue>& values) const {
     if (state.verdict != Verdict::open) return;
     const bool inside = state.phase == Phase::inside;
@@ -289,7 +289,7 @@ void Monitor::observe(MonitorState& state, const std::vector<FactValue>& values)
     if (state.verdict == Verdict::open) follow_condition(state, body, inside);
 }
 
-/// A fact that is not known yet counts as false.
+/// Returns the change of a fact. A fact that is not known yet is treated as false.
 std::optional<Monitor::Seen> Monitor::change_of(const MonitorState& state, const FactValue& value) {
     if (state.facts.at(value.fact).value_or(false) == value.holds) return std::nullopt;
     Seen seen;
@@ -310,7 +310,8 @@ bool Monitor::serves(const MonitorState& state, const std::vector<FactValue>& va
     });
 }
 
-/// The body's condition begins to hold, continues to hold, or ceases to hold. `inside`: the scope had begun before.
+/// Updates the state if the body's condition begins to hold, continues to hold, or ceases to hold. `before` is its
+/// previous value; `inside` is true if the scope had begun before.
 void Monitor::follow_condition(MonitorState& state, bool before, bool inside) const {
     const bool now = holds(claim_.body.condition, state);
     if (claim_.body.kind == BodyKind::possible && now && state.phase == Phase::inside)
@@ -364,8 +365,8 @@ void Monitor::observe_in_scope(MonitorState& state, const Seen& seen) const {
     }
 }
 
-/// One response answers all open triggers. The oldest of these determines the time limit. An event that is both a
-/// response and a trigger answers the triggers before it and is itself a new trigger.
+/// Observes an event for `leads to`. One response answers all open triggers, and the oldest of them determines the time
+/// limit. An event that is both a response and a trigger answers the earlier triggers and is itself a new trigger.
 void Monitor::observe_response(MonitorState& state, const Seen& seen) const {
     const CheckedBody& body = claim_.body;
     const bool timed = body.kind == BodyKind::leads_within;
@@ -383,8 +384,8 @@ void Monitor::observe_response(MonitorState& state, const Seen& seen) const {
         state.left = opens ? body.units.value() : -1;
 }
 
-/// The delay is counted from the latest occurrence of OTHERS. If an exception occurs, the delay ends before the event
-/// is checked.
+/// Observes an event for a delay, which is counted from the latest occurrence of OTHERS. An exception ends the delay
+/// before the event is checked.
 void Monitor::observe_delay(MonitorState& state, const Seen& seen) const {
     const CheckedBody& body = claim_.body;
     if (matches(body.exceptions, seen, state)) state.left = -1;

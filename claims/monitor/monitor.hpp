@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meaning of claims (docs/claims.md, "Meaning"): a deterministic monitor. It observes the events of a component,
-// the passing of time and the end, and stores the responses that are pending. All code that decides claims uses this
-// monitor.
+// Defines the meaning of claims (docs/claims.md, "Meaning") by a deterministic monitor. It observes the events of a
+// component, the passing of time and the end, and stores the responses that are pending. All code that decides claims
+// uses this monitor.
 #pragma once
 
 #include <compare>
@@ -53,7 +53,7 @@ struct MonitorState {
     std::vector<std::optional<Fraction>> last;  ///< the last values of the remembered channels
     std::vector<std::optional<bool>> facts;     ///< the facts of the claim; no value: not known yet
     std::int64_t stay =
-        -1;  ///< for_at_least, for_at_most: time units that the stay still has to, or may, last; -1: none
+        -1;  ///< for_at_least, for_at_most: remaining time units that the stay must or may last; -1: none
 
     friend auto operator<=>(const MonitorState&, const MonitorState&) = default;
 };
@@ -63,20 +63,20 @@ class Monitor {
 public:
     explicit Monitor(const CheckedClaim& claim) : claim_(claim) {}
 
-    /// The state at the beginning of a run.
+    /// Returns the state at the beginning of a run.
     [[nodiscard]] MonitorState begin() const;
-    /// Throws NotComputable if a condition cannot be computed.
+    /// Observes an event. Throws NotComputable if a condition cannot be computed.
     void observe(MonitorState& state, const Occurrence& event) const;
-    /// The events that are raised at the beginning of a cycle, in the order in which the monitor observes them. They
-    /// are simultaneous. Therefore an event that ends a scope or is a response comes before an event that begins a
-    /// scope or is a trigger.
+    /// Sorts the events that are raised at the beginning of a cycle into the order in which the monitor observes them.
+    /// The events are simultaneous. Therefore, an event that ends a scope or is a response comes before an event that
+    /// begins a scope or is a trigger.
     [[nodiscard]] std::vector<Occurrence> order_raised(const MonitorState& state, std::vector<Occurrence> raised) const;
     /// Observes the truth values of these facts. Must be called at the beginning, and whenever they may have changed,
     /// before the next event or time unit.
     void observe(MonitorState& state, const std::vector<FactValue>& values) const;
-    /// One time unit passes.
+    /// Observes that one time unit passes.
     void tock(MonitorState& state) const;
-    /// The component ends.
+    /// Observes that the component ends.
     void end(MonitorState& state) const;
     /// True if the claim demands an event that has not occurred yet. The claim is then broken if time stops here.
     [[nodiscard]] bool owes(const MonitorState& state) const;

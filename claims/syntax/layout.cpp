@@ -27,7 +27,7 @@ bool no_blank_between(const Token* before, const Token& left, const Token& right
     return left.text == "-" && left.kind == Tok::symbol && (before == nullptr || comes_before_sign(*before));
 }
 
-/// An item is an import, the unit, a claim or an order.
+/// The layout of claims files. An item is an import, the unit, a claim or an order.
 class Layout final : public words::ItemLayout {
 public:
     Layout(std::string_view text, const std::vector<Token>& tokens, const ClaimFile& file) : ItemLayout(text, tokens) {
@@ -52,7 +52,7 @@ private:
         }
         return result;
     }
-    /// After a comment to the end of a line, the item continues on the next line.
+    /// Returns the text between two tokens. After a comment to the end of a line, the item continues on the next line.
     [[nodiscard]] std::string_view between(std::size_t at) const {
         const Token& left = tokens_[at - 1];
         if (left.kind == Tok::comment && left.text.starts_with("//")) return "\n    ";
@@ -60,7 +60,7 @@ private:
         return no_blank_between(before, left, tokens_[at]) ? "" : " ";
     }
 
-    std::set<std::uint32_t> begins_;  ///< where claims and the unit begin
+    std::set<std::uint32_t> begins_;  ///< starts of claims and of the unit
 };
 
 }  // namespace

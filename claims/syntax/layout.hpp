@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standard layout of claims files (docs/format.md, "Claims"). Only blanks and line ends change; tokens and comments
-// do not.
+// Formats claims files in the standard layout (docs/format.md, "Claims"). Only blanks and line ends change, not tokens
+// and comments.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace robochart::claims {
 
-/// These tokens on one line, with one blank where the layout has one. Comments are left out.
+/// Returns these tokens on one line, with the blanks of the layout and without comments.
 [[nodiscard]] std::string one_line(std::span<const Token> tokens);
 
 /// Returns the text in the standard layout; formatting the result again does not change it. Returns no value if the

@@ -12,7 +12,7 @@
 namespace robochart::claims {
 namespace {
 
-/// Longest first.
+/// The symbols, longest first.
 constexpr std::array<std::string_view, 20> symbols{"::", "<=", ">=", "==", "!=", "(", ")", "[", "]", ",",
                                                    ":",  ".",  "<",  ">",  "+",  "-", "*", "%", "^", "="};
 constexpr std::size_t most_digits = 9;

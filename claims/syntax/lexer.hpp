@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the text of a claims file to tokens. All words are tokens of one kind; the parser decides which are
-// keywords at their place.
+// Converts the text of a claims file to tokens. All words are tokens of one kind. The parser decides from the context
+// which words are keywords.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ namespace robochart::claims {
 using words::Tok;
 using words::Token;
 
-/// All tokens of a text, on request including comments; the last is `end`. Invalid pieces are reported and skipped.
+/// Returns all tokens of a text, on request including comments; the last is `end`. Reports and skips invalid pieces.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&,
                                      bool comments = false);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of events and conditions on their values. See parser.hpp. `or` joins patterns, so that a condition with `or`
+// Parses sets of events and conditions on their values. See parser.hpp. `or` joins patterns, so a condition with `or`
 // needs parentheses.
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace robochart::claims {
 
 namespace {
 
-/// Words that follow an event, so that a word before them is the event.
+/// True for words that may follow an event. A word before such a word is the event.
 bool continues_claim(std::string_view word) {
     constexpr std::array words{"or", "with", "only", "leads", "at", "unless", "until", "before", "within", "any"};
     return std::ranges::find(words, word) != words.end();
@@ -78,7 +78,7 @@ Pattern Parser::parse_pattern() {
     return pattern;
 }
 
-/// enter S, leave S
+/// Parses `enter S` or `leave S`.
 Pattern Parser::parse_change(Pattern pattern) {
     const Span from = peek().span;
     pattern.kind = is_at("enter") ? PatternKind::enter : PatternKind::leave;
@@ -88,7 +88,7 @@ Pattern Parser::parse_change(Pattern pattern) {
     return pattern;
 }
 
-/// any call [but E], any input [but E]; the exceptions reach to the end of the set.
+/// Parses `any call [but E]` or `any input [but E]`. The exceptions reach to the end of the set.
 Pattern Parser::parse_any(Pattern pattern) {
     const Span from = take_token().span;
     pattern.kind = is_at("call") ? PatternKind::any_call : PatternKind::any_input;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens, items, scopes and bodies. See parser.hpp.
+// Parses tokens, items, scopes and bodies. See parser.hpp.
 #include "claims/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ constexpr std::array advice{
     Advice{"the unit of the duration", "NUMBER @", "a duration has a unit: `3 s`, `150 ms`, `2 min`, `30 units`"},
 };
 
-/// Words that continue a claim after an event.
+/// True for words that continue a claim after an event.
 bool is_connective(std::string_view word) {
     constexpr std::array words{"or",     "and",   "with",   "only",  "leads",  "at",
                                "unless", "until", "before", "after", "within", "but"};
@@ -165,7 +165,7 @@ Import Parser::parse_import() {
     return result;
 }
 
-/// order COMPONENT : E first, E drops E. An event without a word continues the list before it.
+/// Parses `order COMPONENT : E first, E drops E`. An event without a word continues the list before it.
 Order Parser::parse_order() {
     Order order;
     const Span from = take_token().span;
@@ -368,7 +368,7 @@ Body Parser::parse_body() {
     return result;
 }
 
-/// possible E, possible P
+/// Parses `possible E` or `possible P`.
 Body Parser::parse_possible(Body result) {
     take_token();
     result.kind = BodyKind::possible;
@@ -379,7 +379,7 @@ Body Parser::parse_possible(Body result) {
     return result;
 }
 
-/// P for at least D, P for at most D
+/// Parses `P for at least D` or `P for at most D`.
 Body Parser::parse_stay(Body result) {
     result.condition = parse_disjunction();
     expect("for");
@@ -390,7 +390,7 @@ Body Parser::parse_stay(Body result) {
     return result;
 }
 
-/// can take E [within D]
+/// Parses `can take E [within D]`.
 Body Parser::parse_readiness(Body result) {
     take_token();
     take_token();
@@ -400,7 +400,7 @@ Body Parser::parse_readiness(Body result) {
     return result;
 }
 
-/// at most N E [in any D]
+/// Parses `at most N E [in any D]`.
 Body Parser::parse_count(Body result) {
     result.kind = BodyKind::at_most;
     take_token();
@@ -417,7 +417,7 @@ Body Parser::parse_count(Body result) {
     return result;
 }
 
-/// E only [within D] after E
+/// Parses `E only [within D] after E`.
 Body Parser::parse_only(Body result) {
     take_token();
     result.kind = BodyKind::only_after;
@@ -430,7 +430,7 @@ Body Parser::parse_only(Body result) {
     return result;
 }
 
-/// E leads to E [within D] [unless E], E leads to E before E
+/// Parses `E leads to E [within D] [unless E]` or `E leads to E before E`.
 Body Parser::parse_leads(Body result) {
     take_token();
     take_token();
@@ -449,7 +449,7 @@ Body Parser::parse_leads(Body result) {
     return result;
 }
 
-/// E at least D after E [unless E], E at least every D
+/// Parses `E at least D after E [unless E]` or `E at least every D`.
 Body Parser::parse_at_least(Body result) {
     take_token();
     take_token();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recursive-descent parser of claims (docs/claims.md, "The language"). Words are keywords only at the places where the
-// grammar has them, so that events may have their names; `^NAME` is always a name.
+// Recursive-descent parser of claims (docs/claims.md, "The language"). A word is a keyword only where the grammar
+// expects this keyword, so events may have the names of keywords. `^NAME` is always a name.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace robochart::claims {
 
-/// The advice for syntax errors about common wrong forms: all rows, for tests.
+/// Returns the advice for syntax errors about common wrong forms (all rows, for tests).
 [[nodiscard]] std::span<const diagnostics::Advice> syntax_advice();
 
 /// Parses tokens. After a mistake, it reports one finding and continues at the next claim.

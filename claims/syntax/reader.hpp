@@ -7,11 +7,11 @@
 
 namespace robochart::claims {
 
-/// The parts of a text at these places, as if there were nothing else in it: the claims in an assertion file.
+/// Parses only the parts of a text at these places, which are the claims in an assertion file.
 [[nodiscard]] ClaimFile read_parts(const diagnostics::SourceManager&, diagnostics::SourceId,
                                    const std::vector<Span>& places, diagnostics::Diagnostics&);
 
-/// The claims of a text. If there are errors, the result contains the parts that could be parsed.
+/// Returns the claims of a text. If there are errors, the result contains the parts that could be parsed.
 [[nodiscard]] ClaimFile read(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
 }  // namespace robochart::claims

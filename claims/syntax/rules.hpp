@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings of the parser of claims, as a table.
+// Declares the findings of the parser of claims.
 #pragma once
 
 #include "base/words/words.hpp"
@@ -19,7 +19,7 @@ inline constexpr const Rule* syntax[] = {
 #undef RULE
 };
 
-/// Those that all languages of words have.
+/// The findings that all languages made of words share.
 inline constexpr words::Findings findings{unexpected_token, bad_character, open_comment, too_deep};
 
 }  // namespace robochart::claims::rules

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax tree of a claims file (docs/claims.md, "The language").
+// Defines the syntax tree of a claims file (docs/claims.md, "The language").
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ enum class Op : std::uint8_t {
     number,    ///< text: the number as written
     truth,     ///< text: "true" or "false"
     name,      ///< text: a variable of the pattern, or a literal ("Colour::red")
-    last,      ///< text: an event; the value that it carried last
+    last,      ///< text: an event; means the value that it carried last
     in_state,  ///< text: a state, possibly with its machine: `in Patrol::Held`
     negate,
     add,
@@ -79,8 +79,8 @@ struct Pattern {
     PatternKind kind = PatternKind::named;
     Direction direction = Direction::none;
     Name name;
-    std::optional<std::vector<ExprPtr>> arguments;  ///< no value: no parentheses; `_` and variables are names
-    ExprPtr condition;                              ///< null: none
+    std::optional<std::vector<ExprPtr>> arguments;  ///< no value without parentheses; `_` and variables are names
+    ExprPtr condition;                              ///< null if there is none
     std::vector<Pattern> but;                       ///< any_call, any_input: the exceptions
     Span span;
 };
@@ -184,7 +184,7 @@ struct Import {
 struct ClaimFile {
     std::optional<Name> package;
     std::vector<Import> imports;
-    std::vector<Duration> units;  ///< the length of a time unit, also if it is declared again
+    std::vector<Duration> units;  ///< all declared lengths of a time unit, including repeated declarations
     std::vector<Claim> claims;
     std::vector<Order> orders;
     diagnostics::SourceId source = diagnostics::SourceId::none;

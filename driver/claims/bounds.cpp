@@ -32,7 +32,7 @@ constexpr std::size_t most_states = 20'000;
 /// The functions that access the elements of a sequence.
 constexpr std::array<const char*, 3> of_sequences{"sequence_toolkit_extract", "sequence_toolkit_size", "access_"};
 
-/// The expression as written, on one line.
+/// Returns the expression as written, on one line.
 std::string expression_text(const diagnostics::SourceManager& sources, diagnostics::Span span) {
     return diagnostics::on_one_line(sources.source_text(span.source).substr(span.begin, span.end - span.begin));
 }
@@ -67,7 +67,7 @@ cspm::CallObserver BoundWatch::observer() {
 }
 
 void BoundWatch::note_call(const cspm::ObservedCall& call) {
-    // Calls without a place, and those in CSP blocks, are not expressions of the model.
+    // Calls without a source position and calls in CSP blocks are not expressions of the model.
     if (!call.span.is_known() || project_.sources.path(call.span.source).ends_with(".assertions")) return;
     if (std::ranges::find(of_sequences, call.function) != of_sequences.end()) {
         for (const ir::SequenceLimit& limit : sequence_limits_)
@@ -112,7 +112,7 @@ void add_components(const cspm::ExprPtr& expr, Processes& found) {
     for (const cspm::ExprPtr& part : expr->args) add_components(part, found);
 }
 
-/// The processes to explore for a claim. If a CSP block defines the process of the claim, the whole process is
+/// Returns the processes to explore for a claim. If a CSP block defines the process of the claim, the whole process is
 /// explored, because the block may restrict a component.
 Processes processes_of(const csp_emit::Obligation& claim) {
     Processes sides;
@@ -186,7 +186,7 @@ bool is_computation(const ir::Expr& expr) {
            expr.kind == index || expr.kind == concat || ir::binds_names(expr.kind);
 }
 
-/// True if the expression reads the size of a sequence. Other entries of the basis are about sizes.
+/// True if the expression reads the size of a sequence. Sizes have their own entries of the basis.
 bool reads_size(const ir::Expr& expr) {
     return expr.text == "sequence_toolkit_size" || expr.text == "sequence_toolkit_isNonEmpty";
 }
@@ -200,9 +200,9 @@ struct ReadExpression {
 
 /// What an expression reads.
 struct Reading {
-    bool numbers = false;   ///< values with numbers
-    bool computed = false;  ///< something else than comparisons of values that are no results
-    bool outside = false;   ///< values that come from outside
+    bool numbers = false;   ///< it reads values that contain numbers
+    bool computed = false;  ///< it computes values, or reads values that were computed
+    bool outside = false;   ///< it reads values that come from outside the machine
     bool clocks = false;
     std::set<std::pair<ir::ExprKind, ir::VariableId>> places;
 };
@@ -230,12 +230,13 @@ Reading reading_of(const ir::System& system, const ir::DerivedValues& derived, i
     return result;
 }
 
-/// Whether the condition depends on more than comparisons of one received value with literals and constants.
+/// True if the condition depends on more than comparisons of one received value with literals and constants.
 bool is_uncovered(const Reading& read) {
     return read.numbers && (read.computed || read.places.size() > 1 || (read.clocks && read.outside));
 }
 
-/// The conditions of a machine, without their connectives, the comparisons in its other expressions, and its times.
+/// Collects the conditions of a machine (the operands of their connectives), the comparisons in its other expressions,
+/// and its deadlines and waiting times.
 class ExpressionsOfMachine {
 public:
     explicit ExpressionsOfMachine(const ir::Machine& machine) {
@@ -288,8 +289,8 @@ private:
     std::optional<ir::EventId> trigger_;
 };
 
-/// An entry of the basis about some expressions. Its text contains the first expression, the number of the others, and
-/// the given noun and verb.
+/// Returns an entry of the basis about these expressions. Its text contains the first expression, the number of further
+/// expressions, the noun and the verb.
 std::optional<Ground> ground_for(const Project& project, const std::vector<const ir::Expr*>& expressions,
                                  const char* noun, const char* verb) {
     std::vector<std::string> texts;
@@ -312,7 +313,7 @@ std::optional<Ground> ground_for(const Project& project, const std::vector<const
 
 }  // namespace
 
-/// Up to two entries for each machine. Empty if the user chose the carriers.
+/// Returns up to two entries for each machine, or no entries if the user chose the carriers.
 const std::vector<Ground>& ReachedBounds::comparisons() {
     if (comparisons_) return *comparisons_;
     comparisons_.emplace();
@@ -335,7 +336,7 @@ const std::vector<Ground>& ReachedBounds::comparisons() {
     return *comparisons_;
 }
 
-/// An operation may run in every component, so its entries belong to all claims.
+/// Returns the entries for the claim. An operation may run in every component, so its entries belong to all claims.
 Basis ReachedBounds::comparisons_in(const csp_emit::Obligation& claim) {
     const auto in_operation = [&](const Ground& ground) {
         return std::ranges::any_of(project_.system.machines, [&](const ir::Machine& machine) {

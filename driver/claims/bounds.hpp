@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds bounds of the finite instantiation that runs reach: places at which a value is clipped or chosen, or does not
-// belong to the type.
+// Finds the bounds of the finite instantiation that runs reach. At such a bound, a value is clipped or chosen, or it
+// does not belong to its type.
 #pragma once
 
 #include <map>
@@ -42,8 +42,8 @@ private:
 };
 
 /// Finds the bounds that runs of a claim's processes reach. The search for an answer explores each component of a
-/// composition with all its inputs, and observes bounds that no run of the whole process reaches. So the states of the
-/// whole process are explored again, up to a limit.
+/// composition with all its inputs, so it also observes bounds that no run of the whole process reaches. Therefore,
+/// this class explores the states of the whole process again, up to a limit.
 class ReachedBounds {
 public:
     /// All arguments must outlive the object.
@@ -51,15 +51,17 @@ public:
                   const SearchContext& search)
         : project_(project), emission_(emission), instantiation_(instantiation), search_(search) {}
 
-    /// The basis of one claim. `met` contains the bounds that the searches for this and other claims observed.
+    /// Returns the basis of one claim. `met` contains the bounds that the searches for this claim and other claims
+    /// observed.
     [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
-    /// Conditions of the claim's machines whose outcomes may not all occur with the values of the carriers. A carrier
-    /// contains a value beyond each literal with which a value is compared, but not beyond other values. For example,
-    /// with carriers 0..2 the condition x > y /\ y > z /\ z > 0 is never true. Conditions on values that are computed
-    /// or converted from inputs may also have further outcomes (semantics/data/derived_values.hpp), and so may times
-    /// that are inputs: with x in 0..2, a wait for x is always short. Empty if the user chose the carriers (--range).
+    /// Returns entries for conditions of the claim's machines if some of their outcomes may not occur with the values
+    /// of the carriers. A carrier contains a value beyond each literal with which a value is compared, but not beyond
+    /// other values. For example, with carriers 0..2 the condition x > y /\ y > z /\ z > 0 is never true. Conditions on
+    /// values that are computed or converted from inputs may also have further outcomes
+    /// (semantics/data/derived_values.hpp). The same is true of times that are inputs: with x in 0..2, a wait for x is
+    /// always short. The result is empty if the user chose the carriers (--range).
     [[nodiscard]] Basis comparisons_in(const csp_emit::Obligation& claim);
-    /// The basis for one process.
+    /// Returns the basis for one process.
     [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);
 
 private:
@@ -75,7 +77,7 @@ private:
     const csp_emit::Emission& emission_;
     const ir::Instantiation& instantiation_;
     SearchContext search_;
-    std::map<std::string, Visited> visited_;  // by the text of the process
+    std::map<std::string, Visited> visited_;  // key: the text of the process
     std::optional<std::vector<Ground>> comparisons_;
 };
 

@@ -9,7 +9,7 @@
 namespace robochart::driver {
 namespace {
 
-/// The number of values of a set above which the evaluator does not enumerate them.
+/// The evaluator does not enumerate sets with more values than this.
 constexpr double most_values = 5'000'000;
 
 }  // namespace

@@ -10,11 +10,11 @@
 
 namespace robochart::driver {
 
-/// A text to append to the error, with a remedy: "; type Twist has about 2e+15 values: ...". "" if the cause is
-/// unknown.
+/// Returns a text to append to the error, such as "; type Twist has about 2e+15 values: ...", with a remedy. Returns ""
+/// if the cause is unknown.
 [[nodiscard]] std::string cause_of(const Project&, const cspm::EvaluationError&);
 
-/// Whether the reason of an evaluation error is a set that has too many elements.
+/// True if the reason of an evaluation error is a set that has too many elements.
 [[nodiscard]] bool is_about_large_set(std::string_view reason);
 
 }  // namespace robochart::driver

@@ -20,7 +20,7 @@
 namespace robochart::driver {
 namespace {
 
-/// The certificates of all assertions. Sets the reason in the report if there is not one for each of them.
+/// Returns a certificate for each assertion. If an assertion has no certificate, the report gets the reason.
 std::vector<certify::Certificate> make_certificates(cspm::Session& session, const CertifiedClaim& claim,
                                                     const SearchContext& search, CertificateReport& report) {
     const std::string source = claim.place.empty() ? claim.title : fmt::format("{} ({})", claim.title, claim.place);
@@ -37,7 +37,8 @@ std::vector<certify::Certificate> make_certificates(cspm::Session& session, cons
     return result;
 }
 
-/// The path of the program that checks certificates, if it is beside this program; otherwise its name, for PATH.
+/// Returns the path of the program that checks certificates if it is in the folder of this program. Otherwise, returns
+/// its name, which is looked up in PATH.
 std::string certifier_path() {
     const std::string name = "robochart-certify";
     std::error_code code;
@@ -46,7 +47,8 @@ std::string certifier_path() {
     return !code && std::filesystem::is_regular_file(beside, code) ? beside.string() : name;
 }
 
-/// Reads the answer of `robochart-certify --answer`: a word, and figures or a reason. Adds it to the report.
+/// Parses the answer of `robochart-certify --answer`, which is a word and then numbers or a reason. Adds it to the
+/// report.
 void add_answer(const std::string& answer, CertificateReport& report) {
     std::istringstream words(answer);
     std::string word;
@@ -64,7 +66,7 @@ void add_answer(const std::string& answer, CertificateReport& report) {
     report.reason = reason.empty() ? "robochart-certify did not answer" : reason;
 }
 
-/// Runs robochart-certify on a certificate. It decides within the limits of the run.
+/// Runs robochart-certify on a certificate, within the limits of the run.
 void check_certificate(const std::string& folder, diagnostics::Budget& budget, CertificateReport& report) {
     std::string error;
     const diagnostics::TemporaryFolder work("", error, &budget);
@@ -133,7 +135,7 @@ std::string why_not_empty(const std::string& folder) {
 
 namespace {
 
-/// A number with a comma after each group of three digits, and what it counts.
+/// Formats a number and its unit, with a comma after each group of three digits: "1,200 pairs".
 std::string counted(std::uint64_t number, const std::string& noun) {
     std::string digits = std::to_string(number);
     for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");

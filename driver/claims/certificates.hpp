@@ -11,7 +11,7 @@
 
 namespace robochart::driver {
 
-/// The claim of certificates.
+/// A claim that certificates are written for.
 struct CertifiedClaim {
     std::string number;  ///< the number of the claim, which the names of folders contain
     std::string title;
@@ -20,16 +20,16 @@ struct CertifiedClaim {
 };
 
 /// Writes a certificate for each assertion of a claim that holds, to the folder that the settings name. If one of them
-/// has no certificate, none is written. If the program robochart-certify is found, in the folder of this program or
-/// through PATH, it checks them.
+/// has no certificate, none is written. The program robochart-certify then checks them, if it is in the folder of this
+/// program or in PATH.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
-/// Certificates of earlier runs must not be mistaken for certificates of this run. Returns the reason if the folder
-/// contains files, "" if it is empty or does not exist.
+/// Returns an error message if the folder contains files, "" if it is empty or does not exist. This prevents
+/// certificates of earlier runs from being taken for certificates of this run.
 [[nodiscard]] std::string why_not_empty(const std::string& folder);
 
-/// One line about the certificates. The words "certified" and the level appear only if robochart-certify has accepted
-/// all of them.
+/// Returns one line about the certificates. It contains "certified" and the level only if robochart-certify has
+/// accepted all of them.
 [[nodiscard]] std::string certificate_text(const CertificateReport&);
 
 }  // namespace robochart::driver

@@ -70,7 +70,7 @@ private:
             account.observe(letter->occurrence, claims::text_of(*letter, claim_, event));
         }
     }
-    /// The event of a hidden step "τ(e)".
+    /// Returns e for a hidden step "τ(e)".
     [[nodiscard]] static std::string visible(const std::string& event) {
         constexpr std::string_view tau = "τ(";
         if (!event.starts_with(tau)) return event;
@@ -101,7 +101,7 @@ private:
         }
     }
 
-    /// A claim that no run breaks is nevertheless broken if time can stop while a response is pending.
+    /// Decides whether time can stop while a response is pending. This breaks the claim even if no run breaks it.
     void decide_standstill() {
         const refine::Verdict verdict = check(scripted_.decision.standstill);
         report_.statistics.states = std::max(report_.statistics.states, verdict.statistics.states);
@@ -120,7 +120,7 @@ private:
         }
     }
 
-    /// If a response has no time limit, a run in which time passes forever while the response is pending breaks the
+    /// Decides whether time can pass forever while a response without time limit is pending. Such a run breaks the
     /// claim.
     void decide_waiting() {
         const refine::Limits bounds = limits_of_check(search_, obligation_.title);
@@ -176,8 +176,8 @@ private:
         if (decision.happens && check(decision.happens).outcome == refine::Outcome::fails)
             never(fmt::format("never asked: no run has {}", claim_.body.events.text));
     }
-    /// The events that trigger the requirement of a claim without scope. If none of them occurs, the claim requires
-    /// nothing.
+    /// Returns the events that trigger the requirement of a claim without scope. If none of them occurs, the claim
+    /// requires nothing.
     [[nodiscard]] const std::string& asked_text() const {
         return claim_.body.kind == claims::BodyKind::at_least ? claim_.body.others.text : claim_.body.events.text;
     }

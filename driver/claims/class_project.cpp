@@ -16,7 +16,7 @@ bool observes_values(const ir::Property& property) {
            property.kind == ir::PropertyKind::conforms || property.subject.kind == ir::ComponentKind::process;
 }
 
-/// The system without the claims that observe values.
+/// Returns the system without the claims that observe values.
 ir::System without_observers(ir::System system) {
     system.csp_blocks.clear();
     std::erase_if(system.properties, observes_values);
@@ -72,7 +72,7 @@ ClassProject class_project(const Project& project, const Settings& settings) {
     return result;
 }
 
-/// Whether all data have classes that the class project has, too.
+/// True if `others` contains all places of `data`.
 bool are_all_in(const std::vector<ir::ReplacedData>& data, const std::vector<ir::ReplacedData>& others) {
     std::set<std::string> places;
     for (const ir::ReplacedData& other : others) places.insert(other.places.begin(), other.places.end());
@@ -98,7 +98,7 @@ bool carries_over(const csp_emit::Obligation& obligation, Answer found) {
                                PropertyKind::reachable,     PropertyKind::clock_initialised};
     if (std::ranges::find(kinds, obligation.kind) == kinds.end()) return false;
     if (obligation.firing || obligation.recurrence || obligation.premise || obligation.assertions.empty()) return false;
-    // a negated assertion that fails says that the model has less behaviour than its specification
+    // if a negated assertion fails, the behaviour of the model is within that of the specification
     const bool negated = found == Answer::fails;
     return std::ranges::all_of(obligation.assertions,
                                [&](const cspm::DeclPtr& assertion) { return assertion->assertion.negated == negated; });

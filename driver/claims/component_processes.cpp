@@ -15,7 +15,7 @@ namespace {
 /// The suffixes of names of component processes.
 constexpr std::array<std::string_view, 6> variants{"::D__", "::O__", "::VS__", "::VS_O__", "::AS_O__", "::FVS__"};
 
-/// The suffix of the component process that is called; "" if there is none.
+/// Returns the suffix of the component process that the expression calls; "" if it calls none.
 std::string_view variant_of(const cspm::Expr& expr) {
     if (expr.kind != cspm::ExprKind::apply || expr.args[0]->kind != cspm::ExprKind::name) return "";
     for (const std::string_view variant : variants)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processes of components in the expressions of claims.
+// Finds and replaces the processes of components in the expressions of claims.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace robochart::driver {
 
-/// The component whose process is called: "P::S" for `P::S::O__(..)`; "" if there is none.
+/// Returns the component whose process the expression calls: "P::S" for `P::S::O__(..)`; "" if it calls none.
 [[nodiscard]] std::string component_of(const cspm::Expr& expr);
 
-/// The expression with this variant of the processes of components, such as `D__`.
+/// Returns the expression with the given variant of the components' processes, such as `D__`.
 [[nodiscard]] cspm::ExprPtr with_variant(const cspm::ExprPtr& expr, const std::string& variant);
 
-/// The expression without compression of components: `D__` for `O__` and `VS__` for `VS_O__`. The same expression if it
-/// calls none of these.
+/// Returns the expression without compression of components: `D__` replaces `O__`, and `VS__` replaces `VS_O__`. An
+/// expression that calls no compressed process is returned unchanged.
 [[nodiscard]] cspm::ExprPtr without_compression(const cspm::ExprPtr& expr);
 
 }  // namespace robochart::driver

@@ -14,7 +14,7 @@
 namespace robochart::driver {
 namespace {
 
-/// An exact number, a truth value or a literal; no value for other texts.
+/// Returns the number that represents a number, a truth value or a literal exactly; no value for other texts.
 std::optional<claims::Fraction> value_of(std::string_view text, const ir::Type& type) {
     if (type.kind == ir::TypeKind::boolean) {
         if (text == "true" || text == "false") return claims::Fraction(text == "true" ? 1 : 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors a claim in one run outside of the model: a log, or a robot of a simulation. An input counts when it is
-// raised. Inputs of one cycle are simultaneous (docs/claims.md, "Claims about one cycle"), so they are collected up to
-// the first output or time unit after them. Those that a declared order drops do not count.
+// Monitors a claim in one run outside of the model: a log, or a robot of a simulation. An input occurs for the claim
+// when it is raised. Inputs of one cycle are simultaneous (docs/claims.md, "Claims about one cycle"), so they are
+// collected until the first output or time unit after them. Inputs that a declared order drops are ignored.
 #pragma once
 
 #include <cstdint>
@@ -17,37 +17,37 @@ namespace robochart::driver {
 /// Stores references to the claim and the system.
 class FollowedClaim {
 public:
-    /// Two inputs of the component: where `event` is raised, `dropped` does not count.
+    /// Pairs of inputs of the component: if `event` is raised in the same cycle, `dropped` is ignored.
     using Drops = std::vector<claims::CheckedOrder::Drop>;
     FollowedClaim(const claims::CheckedClaim& claim, const ir::System& system, durations::Unit unit, Drops drops = {});
 
-    /// An input or an output with the texts of its values, as in logs. Names that the component does not have are
-    /// ignored. `line` is its line in a log.
+    /// Observes an input or an output; `values` are texts as in logs. Names that the component does not have are
+    /// ignored. `line` is the event's line in a log.
     void observe(std::string_view name, bool input, const std::vector<std::string>& values, std::uint64_t line = 0);
     void tock(std::uint64_t line = 0);
     void end(std::uint64_t line = 0);
-    /// From now on, the verdict is unknown for this reason.
+    /// Makes the verdict unknown from now on, for this reason.
     void give_up(std::string why);
 
     /// Observes the last inputs, if the run ends within a cycle.
     void finish() { observe_inputs(); }
 
     [[nodiscard]] bool is_broken() const { return !reasons_.empty(); }
-    /// The place in a log where the claim was broken, and at most three sentences about it.
+    /// The line of the log at which the claim was broken, and at most three sentences that explain why.
     [[nodiscard]] std::uint64_t line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
-    /// The reason why the run does not show whether the claim holds; "" if it does.
+    /// The reason why the run does not decide the claim; "" if it does.
     [[nodiscard]] const std::string& unknown() const { return unknown_; }
     [[nodiscard]] const claims::CheckedClaim& claim() const { return *claim_; }
 
 private:
-    /// An input of the cycle that begins, or an event: its text in reports.
+    /// An event with its text in reports.
     struct Named {
         claims::Occurrence occurrence;
         std::string text;
         std::uint64_t line = 0;
     };
-    /// The event with its values; no value if a condition cannot read them.
+    /// Returns the event with its values; no value if a condition of the claim cannot read them.
     [[nodiscard]] std::optional<Named> named(std::size_t channel, const std::vector<std::string>& values,
                                              std::uint64_t line);
     void observe_inputs();
@@ -65,7 +65,7 @@ private:
     std::string unknown_;
 };
 
-/// The channels of the component that the claim mentions, ascending.
+/// Returns the channels of the component that the claim mentions, in ascending order.
 [[nodiscard]] std::vector<std::size_t> channels_of(const claims::CheckedClaim& claim);
 
 }  // namespace robochart::driver

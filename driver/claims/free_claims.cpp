@@ -32,9 +32,9 @@ bool FreeData::comes_first() {
 
 namespace {
 
-/// Whether the carriers limit the answer: it is missing, or its basis contains a limit of the carriers and no run
-/// proves it. An evaluation error counts only if it is about a large set, because other evaluation errors are faults of
-/// the model.
+/// True if the carriers limit the answer. Either the claim is undecided, or the basis of the answer contains a limit of
+/// the carriers and no run proves the answer. An evaluation error is due to the carriers only if it is about a large
+/// set. Other evaluation errors are faults of the model.
 bool is_limited_by_carriers(const AssertionReport& one) {
     if (one.answer == Answer::inconclusive) return true;
     if (one.answer == Answer::error) return is_about_large_set(one.reason);
@@ -44,8 +44,8 @@ bool is_limited_by_carriers(const AssertionReport& one) {
            });
 }
 
-/// A turn that gets a fraction, 1 / `parts`, of the remaining time of the given turn. If that turn ends only with the
-/// run, its remaining time counts as forty seconds.
+/// Returns a turn with the fraction 1 / `parts` of the remaining time of the given turn. If the given turn ends only
+/// with the run, its remaining time is taken as forty seconds.
 Turn part_of(const Turn& turn, int parts) {
     constexpr std::chrono::seconds usual{40};
     Turn result = turn;
@@ -54,7 +54,7 @@ Turn part_of(const Turn& turn, int parts) {
     return result;
 }
 
-/// Whether some answer with free data would be true of the model.
+/// True if some answer with free data would also apply to the model.
 bool may_carry_over(const csp_emit::Obligation& obligation) {
     return carries_over(obligation, Answer::holds) || carries_over(obligation, Answer::fails);
 }
@@ -86,10 +86,11 @@ void FreeClaims::add_to(std::vector<WaitingClaim>& claims) {
             TimeClaims::waiting(claim, [this, claim](const Turn& turn) { return decide_in(turn, claim); }));
 }
 
-/// A claim that carriers may limit gets a part of its turn, then a part with free data, then the rest.
+/// If carriers may limit the answer, first uses a part of the turn with carriers, then a part with free data, then the
+/// rest with carriers.
 bool FreeClaims::decide_in(const Turn& turn, const ListedClaim& claim) {
     const csp_emit::Obligation& obligation = *claim.obligation;
-    const bool whole = search_.services.continues_searches();  // a search in files is not ended and begun again
+    const bool whole = search_.services.continues_searches();  // a search in files is not ended and restarted
     if (whole || !may_carry_over(obligation) || !data_.may_exist() || tried_.contains(obligation.title))
         return own_.store(decide_alone(turn, claim), claim);
     const bool first = data_.comes_first();
@@ -126,7 +127,7 @@ bool FreeClaims::answer(const Turn& turn, const csp_emit::Obligation& obligation
     report.answer = known.answer;
     report.reason = known.answer == Answer::holds ? reason_of(data_.project()) : known.reason;
     report.basis = std::move(known.basis);
-    // the model may have fewer ends than the model with free data
+    // the free model may terminate in runs that the model does not have
     std::erase_if(report.basis, [](const Ground& ground) {
         return ground.kind == GroundKind::ended || ground.kind == GroundKind::time_stops;
     });
@@ -137,7 +138,7 @@ bool FreeClaims::answer(const Turn& turn, const csp_emit::Obligation& obligation
     return true;
 }
 
-/// No value if the claim cannot be decided with free data.
+/// Returns the same claim in the list with free data; no value if it cannot be decided with free data.
 std::optional<ListedClaim> FreeClaims::free_claim(const csp_emit::Obligation& obligation) {
     if (!data_.project().project) return std::nullopt;
     if (!free_)

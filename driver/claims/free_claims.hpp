@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides claims of the model, and those that carriers limit also with free data (docs/data.md, "Computed data").
+// Decides claims of the model. If carriers limit the answer to a claim, it is also decided with free data
+// (docs/data.md, "Computed data").
 #pragma once
 
 #include <map>
@@ -13,17 +14,17 @@
 
 namespace robochart::driver {
 
-/// The project with free data, which is made when a claim first needs it.
+/// Makes the project with free data when a claim first needs it.
 class FreeData {
 public:
     /// All arguments must outlive the object. `classes` is the result for the same project.
     FreeData(const Project& project, const Settings& settings, const ClassProject& classes);
 
-    /// False if it is known that no data can be free. The function does not make the project to find this out.
+    /// False if it is known that no data can be free. Does not make the project.
     [[nodiscard]] bool may_exist() const { return possible_ && (!made_ || made_->project); }
     /// Makes the project if it has not been made.
     [[nodiscard]] const FreeProject& project();
-    /// Whether the carriers are so large that claims are decided with free data first. The project is only made if some
+    /// True if the carriers are so large that claims are first decided with free data. Makes the project only if some
     /// carrier is large.
     [[nodiscard]] bool comes_first();
 
@@ -33,7 +34,7 @@ private:
     const ClassProject& classes_;
     bool possible_;
     std::optional<FreeProject> made_;
-    std::optional<bool> large_;  ///< a carrier of the model, or of its classes, is large
+    std::optional<bool> large_;  ///< true if the model, or its class model, has a large carrier
 };
 
 /// Decides the claims of one list. If the carriers may limit the answer to a claim, the claim is also decided with free
@@ -63,7 +64,7 @@ private:
     FreeData& data_;
     SearchContext search_;
     csp_emit::Time time_;
-    ClaimResults results_;  ///< of the claims with free data
+    ClaimResults results_;  ///< the results of the claims with free data
     std::unique_ptr<TimeClaims> free_;
     /// An answer with free data, and the run that shows it.
     struct Tried {

@@ -8,7 +8,7 @@
 namespace robochart::driver {
 namespace {
 
-/// The reason; `expr` is its expression.
+/// Returns the reason as text; `expr` is the expression that causes it.
 std::string reason_text(ir::KeepReason why, const std::string& expr) {
     using enum ir::KeepReason;
     switch (why) {

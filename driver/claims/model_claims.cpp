@@ -24,7 +24,7 @@ namespace {
 
 using csp_emit::Time;
 
-/// Lists the claims that only other tools can check. They do not count as successes.
+/// Lists the claims that only other tools can check. They are not reported as successes.
 void report_unchecked(const Project& project, const SearchContext& search, ClaimResults& results) {
     const auto unchecked = [&](const std::string& name, diagnostics::Span span, const std::string& why) {
         if (!is_selected(search.settings.claims, name)) return;
@@ -42,13 +42,13 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
             if (part.claims) unchecked(part.name, part.span, fmt::format("`{}` is for another tool", part.form));
 }
 
-/// The indices in the results of the claims in one semantics, if two projects decide these claims.
+/// The claims of one semantics, as indices in the results, if two projects decide them.
 struct DividedClaims {
     Time time;
     std::size_t first, end;
 };
 
-/// Puts these claims in the order of the project's script.
+/// Sorts these claims in the order of the project's script.
 void order_claims(const Project& project, const csp_emit::Emission& emission, const DividedClaims& divided,
                   std::vector<AssertionReport>& assertions) {
     std::map<std::string, std::size_t> order;
@@ -62,7 +62,7 @@ void order_claims(const Project& project, const csp_emit::Emission& emission, co
                              });
 }
 
-/// Adds the claims of a list. Each of them is decided only in this list, and not also with free data.
+/// Adds the claims of a list. They are decided only in this list, not with free data.
 void add_claims(TimeClaims& list, std::vector<WaitingClaim>& claims) {
     for (const ListedClaim& claim : list.claims())
         claims.push_back(TimeClaims::waiting(
@@ -115,8 +115,9 @@ private:
     ClaimResults& results_;
 };
 
-/// A class of values has no probability, so probabilistic claims are decided for the values of carriers. The report
-/// states this if it also lists data that classes replace in other claims. `first`: the first claim of the project.
+/// Adds to probabilistic claims that they are decided for the values of carriers, because a class of values has no
+/// probability. Called only if the report also lists data that classes replace in other claims. `first` is the index of
+/// the first claim of the project.
 void note_carriers_of_probabilities(const SearchContext& search, std::size_t first, ClaimResults& results) {
     const auto edit = search.services.edit();
     for (std::size_t i = first; i < results.assertions.size(); ++i) {

@@ -33,7 +33,7 @@ Basis WatchedProcess::find_bounds(const std::string& component) {
         if (process != emission_.components.end())
             return reached_.basis_of_process(process->process, watch_.met_bounds());
     } catch (const diagnostics::LimitReached&) {
-        // The answer is known already, so the limit only affects the basis.
+        // The answer is already known, so the limit affects only the basis.
     }
     Basis result;
     for (Ground ground : watch_.met_bounds()) {
@@ -74,7 +74,7 @@ Basis RowBasis::basis() const {
 
 namespace {
 
-/// A scalar value as text; "" for other values.
+/// Returns a scalar value as text; "" for other values.
 std::string scalar_text(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id,
                         const ir::Value& value) {
     const ir::Type& type = system.type(id);

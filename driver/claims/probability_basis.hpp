@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The basis of answers to probabilistic assertions. It consists of reached bounds of the finite instantiation for each
-// set of constants, of constants with a chosen value, and of random paths.
+// Collects the basis of answers to probabilistic assertions. It consists of the reached bounds of the finite
+// instantiation for each set of constants, the constants with a chosen value, and the random paths.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ public:
     WatchedProcess(const Project&, const SearchContext&, const csp_emit::Emission&, const ir::Instantiation&,
                    cspm::Session&);
 
-    /// The bounds that runs of the component reach. If a limit ends the exploration of its states, all bounds that its
-    /// parts reach, with the remark that it is not known whether a run reaches them.
+    /// Returns the bounds that runs of the component reach. If a limit ends the exploration of its states, returns all
+    /// bounds that its parts reach, with a remark that they may be unreachable for runs.
     [[nodiscard]] const Basis& reached_bounds(const std::string& component);
     [[nodiscard]] const ir::Instantiation& instantiation() const { return instantiation_; }
 
@@ -41,7 +41,7 @@ private:
     std::optional<Basis> bounds_;
 };
 
-/// Combines the bases of the rows to the basis of an assertion. If only some rows have an entry, the entry names the
+/// Combines the bases of the rows into the basis of an assertion. If only some rows have an entry, the entry names the
 /// constants of these rows.
 class RowBasis {
 public:
@@ -57,12 +57,13 @@ private:
     std::size_t rows_ = 0;
 };
 
-/// The constants of a component that have a chosen value, because neither the model, nor the assertion, nor an option
-/// gives them one. `component` is the path of the component. The row contains the constants that the assertion sets.
+/// Returns entries for the constants of a component whose value was chosen, because neither the model, nor the
+/// assertion, nor an option sets it. `component` is the path of the component. The row contains the constants that the
+/// assertion sets.
 [[nodiscard]] Basis chosen_constants(const Project&, const ir::Instantiation&, const std::string& component,
                                      const probability::Row&);
 
-/// A description of the random paths; empty if all states were explored.
+/// Describes the random paths; empty if all states were explored.
 [[nodiscard]] Basis sampling_basis(const probability::Row&, std::uint64_t seed);
 
 }  // namespace robochart::driver

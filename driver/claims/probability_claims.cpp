@@ -40,7 +40,7 @@ std::vector<Claim> claims_of(const Project& project, const SearchContext& search
     return result;
 }
 
-/// The answer for a row: an error has priority over a failure, and a failure over an unknown answer.
+/// Returns the answer for a row. An error has priority over a failure, and a failure over an unknown answer.
 Answer answer_of(const Row& row) {
     if (!row.error.empty()) return Answer::error;
     Answer answer = row.path ? Answer::computed : Answer::holds;
@@ -65,8 +65,8 @@ std::string subject_list(const std::vector<std::string>& subjects) {
     return text;
 }
 
-/// The component that a property is about. The names in the property begin with the component's name. A property
-/// without names is about the only component of the highest level.
+/// Returns the component that a property is about. Names in the property begin with the name of this component. A
+/// property without names is about the only component of the highest level.
 ir::ComponentRef subject_of(const Project& project, const std::vector<std::string>& subjects) {
     if (subjects.size() > 1)
         throw NotExpressed(fmt::format("it speaks of several components: {}", subject_list(subjects)));
@@ -95,7 +95,7 @@ probability::Scheduler scheduler_of(const SearchContext& search) {
     return probability::Scheduler::any;
 }
 
-/// True if an assertion is decided on RoboTool's Markov chain. Random paths always use this chain, because paths of a
+/// True if the assertion is decided on RoboTool's Markov chain. Random paths always use this chain, because paths of a
 /// decision process depend on the scheduler.
 bool uses_robotool(const SearchContext& search, const frontend::ProbabilisticAssertion& assertion) {
     return search.settings.probability.encoding == Encoding::robotool || probability::is_simulated(assertion);
@@ -141,7 +141,8 @@ public:
     void give_back() { encoding_.reset(); }
 
 private:
-    /// The encoding has one budget, which it uses in the turns of several claims.
+    /// Returns the limits of the run, with an interruption at the end of the current turn. The encoding uses one budget
+    /// in the turns of several claims.
     diagnostics::Limits limits_of_turn() {
         diagnostics::Limits limits = search_.services.budget().limits();
         limits.interrupted = [this] { return search_.services.budget().is_interrupted() || turn_.is_over(); };
@@ -199,7 +200,7 @@ private:
         return std::make_unique<probability::ProcessEncoding>(project_.system, subject_, project_.sources, options);
     }
 
-    /// The basis of a row. It must be computed before the encoding is replaced by that of the next row.
+    /// Returns the basis of a row. It must be computed before the encoding of the next row replaces the current one.
     [[nodiscard]] Basis basis_of(const Row& row) {
         const std::string subject = ir::qualified_name(subject_);
         Basis basis;

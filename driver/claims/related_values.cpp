@@ -43,8 +43,9 @@ public:
     }
     void forget() { known_ = false; }
 
-    /// In the class model, one variable, the holder, stores the class of the term. This function shows the related
-    /// variables in its place. If the values of these variables are not in the holder's class, they count as not known.
+    /// Shows the related variables in place of their holder. In the class model, the holder is the variable that stores
+    /// the class of the term. If the values of these variables are not in the holder's class, they are treated as
+    /// unknown.
     void show(runs::Machine& machine) {
         const auto holder = std::ranges::find(machine.variables, related_.holder, &runs::Variable::name);
         if (holder == machine.variables.end()) return;
@@ -88,7 +89,7 @@ private:
         return ir::decimal_text(values_.at(variable), related_.scale);
     }
 
-    /// The value of the variable for which the term has this value.
+    /// Solves the equation for the variable `unknown`: returns its value if the term has the value `term`.
     [[nodiscard]] std::optional<std::int64_t> solve(const std::string& unknown, std::int64_t term) const {
         std::int64_t rest = term, factor = 0;
         for (const ir::RelatedVariable& variable : related_.variables) {
@@ -109,7 +110,7 @@ private:
 
     const ir::RelatedVariables& related_;
     std::map<std::string, std::int64_t> values_;  ///< in units
-    std::string class_;                           ///< the class of the term; "": not yet known
+    std::string class_;                           ///< the class of the term; "" if not yet known
     bool known_ = true;
 };
 

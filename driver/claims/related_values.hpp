@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of related variables in runs of a class model (docs/data.md, "Relations of variables").
+// Shows the values of related variables in runs of a class model (docs/data.md, "Relations of variables").
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 namespace robochart::driver {
 
 /// Replaces classes of terms by values. In the class model, an input of a related variable has the new class of the
-/// term, such as "d - l = 1"; this computes the input from the values of the other variables. From the first step at
-/// which a value is not known, classes are shown unchanged. A value is not known if the variable that stores the input
-/// is not known, if no decimal solves the equation, or if the machine changes the variables without an input.
+/// term, such as "d - l = 1". This function computes the input from the values of the other variables. Classes are
+/// unchanged from the first step at which a value is not known. A value is not known if the variable that stores the
+/// input is not known, if no decimal solves the equation, or if the machine changes the variables without an input.
 /// Alternatives to a step are shown as classes.
 void show_related_values(runs::Run& run, const std::vector<ir::RelatedVariables>& related);
 

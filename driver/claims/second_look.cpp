@@ -29,7 +29,7 @@ bool is_refinement(const csp_emit::Obligation& obligation) {
     return obligation.kind == ir::PropertyKind::refines || obligation.kind == ir::PropertyKind::equals;
 }
 
-/// "P::S::e.in" for `P::S::e.in` and `P::S::e.in.3`; "" if the expression is not an event of a component.
+/// Returns "P::S::e.in" for `P::S::e.in` and `P::S::e.in.3`; "" if the expression is not an event of a component.
 std::string event_named(const ExprPtr& expr, const csp_emit::Provenance& provenance) {
     const bool dotted = expr->kind == cspm::ExprKind::dot;
     const ExprPtr& channel = dotted ? expr->args.front() : expr;
@@ -129,7 +129,7 @@ ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     std::vector<ExprPtr> outputs;
     for (const std::string& path : csp_emit::components_in(emission_, {process}))
         for (const ExprPtr& output : csp_emit::outputs_of(emission_.provenance, path)) outputs.push_back(output);
-    // a claim that compares two components renames the registers of one to those of the other
+    // a claim that compares two components renames the registers of one component to those of the other
     if (runs_in_cycles(process))
         for (const csp_emit::ComponentProcesses& component : emission_.components)
             for (const ExprPtr& event : csp_emit::cycle_events_of(emission_.provenance, component.path))
@@ -137,8 +137,8 @@ ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     return outputs.empty() ? process : b::hide(process, b::productions(outputs));
 }
 
-/// The process of the claim's component in this variant, with the constants of the instantiation. Null if the claim is
-/// not about a component or sets constants.
+/// Returns the given variant of the process of the claim's component, with the constants of the instantiation. Returns
+/// null if the claim is not about a component or sets constants.
 ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std::string& variant) const {
     if (obligation.property == ir::no_id) return nullptr;
     const ir::Property& property = project_.system.properties[obligation.property];
@@ -153,7 +153,7 @@ ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std
     return nullptr;
 }
 
-/// Whether some component of the process is of RoboSim.
+/// True if the process contains a RoboSim component.
 bool SecondLook::runs_in_cycles(const ExprPtr& process) const {
     const std::set<std::string> paths = csp_emit::components_in(emission_, {process});
     return std::ranges::any_of(
@@ -192,8 +192,8 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, const std::string
                      specification)});
 }
 
-/// Adds those events of the specification that never occur in the implementation. What the specification requires after
-/// such an event does not influence the answer.
+/// Adds the events of the specification that never occur in the implementation. The requirements after such an event do
+/// not influence the answer.
 void SecondLook::note_unreached_events(const cspm::Assertion& assertion, AssertionReport& report) {
     const auto named = prefixed_events(emission_, assertion.specification);
     if (named.empty()) return;
@@ -244,7 +244,8 @@ void SecondLook::add_of_refinement(const csp_emit::Obligation& obligation, std::
     note_unreached_events(assertion, report);
 }
 
-/// In the timed semantics, a component that has terminated, or in which time has stopped, is not deadlocked.
+/// Adds entries to the basis of a claim of deadlock freedom. In the timed semantics, a component that has terminated,
+/// or in which time has stopped, is not deadlocked.
 void SecondLook::add_of_deadlock(const csp_emit::Obligation& obligation, AssertionReport& report) {
     const ExprPtr process = subject_of(obligation, "D__");
     if (!process) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explores the processes of a decided claim again, to find the entries of its basis that the search for a violation
-// cannot find. Only processes with few states are explored; larger ones are skipped.
+// cannot find. Processes with many states are skipped.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace robochart::driver {
 
-/// The largest number of states that are explored.
+/// Processes with more states than this are skipped.
 inline constexpr std::size_t most_states_for_second_look = 50'000;
 
 /// Explores the processes of one script.
@@ -53,7 +53,7 @@ private:
     const csp_emit::Emission& emission_;
     cspm::Session& session_;
     SearchContext search_;
-    std::map<std::string, Seen> seen_;  ///< by the text of the process
+    std::map<std::string, Seen> seen_;  ///< key: the text of the process
 };
 
 }  // namespace robochart::driver

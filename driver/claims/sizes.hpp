@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `check --sizes`: the numbers of states and transitions of the components of a script.
+// Counts the states and transitions of the components of a script, for `check --sizes`.
 #pragma once
 
 #include "checker/cspm/session.hpp"
@@ -10,8 +10,8 @@
 
 namespace robochart::driver {
 
-/// Explores D__ and O__ of each component, up to a million states, within the run's limits, and adds the sizes to the
-/// results.
+/// Explores the processes D__ and O__ of each component and adds their sizes to the results. Each exploration ends at a
+/// million states, or at a limit of the run.
 void measure_sizes(const Project&, cspm::Session&, const csp_emit::Emission&, csp_emit::Time, const SearchContext&,
                    ClaimResults&);
 

@@ -66,8 +66,8 @@ TakenGuards::TakenGuards(const Project& project, const csp_emit::Emission& emiss
         for (const auto& offer : definition.offers) note(definition.component, offer->origin);
 }
 
-/// Adds the conditions of the transition that the event names. If a step may be one of several transitions, the event
-/// names none, and the conditions of all these transitions are added.
+/// Adds the condition of the transition that the event names. If a step may belong to several transitions, the event
+/// names none, and the conditions of all possible transitions are added.
 void TakenGuards::add_of_event(const runs::Event& event, Basis& basis) const {
     const bool transition = event.kind == runs::Kind::transition;
     if (!transition && event.kind != runs::Kind::input) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds conditions that read clocks. The untimed semantics takes the parts that read clocks as true, so these
-// conditions are part of the basis of verdicts.
+// Finds conditions that read clocks. The untimed semantics assumes that the parts of conditions that read clocks are
+// true, so these conditions belong to the basis of verdicts.
 #pragma once
 
 #include <map>
@@ -15,17 +15,17 @@
 
 namespace robochart::driver {
 
-/// The conditions of one untimed script.
+/// The conditions of one script that read clocks.
 class TakenGuards {
 public:
-    /// A timed script has no such conditions.
+    /// For a timed script, the object has no conditions.
     TakenGuards(const Project&, const csp_emit::Emission&, csp_emit::Time);
 
     [[nodiscard]] bool has_guards() const { return !guards_.empty(); }
     /// Adds the conditions of the transitions in the run.
     void add_of_run(const runs::Run&, Basis&) const;
-    /// Adds the conditions for an assertion without a run. A component has more behaviours without time, so if an
-    /// assertion about traces holds, its basis contains only the conditions of the specification.
+    /// Adds the conditions for an assertion without a run. A component has more behaviours in the untimed semantics. So
+    /// if an assertion about traces holds, its basis contains only the conditions of the specification.
     void add_of_assertion(const cspm::Decl&, bool holds, Basis&) const;
 
 private:
@@ -40,7 +40,7 @@ private:
 
     const csp_emit::Emission& emission_;
     std::map<Key, Guard> guards_;
-    std::map<std::string, std::set<Key>> inside_;  ///< by the path of the component whose process contains the
+    std::map<std::string, std::set<Key>> inside_;  ///< key: the path of the component whose process contains the
                                                    ///< transition
     std::set<std::string> transitions_;            ///< all transitions
 };

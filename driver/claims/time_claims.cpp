@@ -31,7 +31,7 @@ namespace {
 
 using csp_emit::Time;
 
-/// The context for converting counterexamples and steps to runs of the model.
+/// Returns the context for converting counterexamples and steps to runs of the model.
 runs::Context reading_context(const ClaimContext& context) {
     return {context.emission.provenance, context.project.system, context.project.instantiation,
             context.project.sources,     context.session,        context.project.unit};
@@ -65,8 +65,8 @@ void add_verdict(const ClaimContext& context, const csp_emit::Obligation& obliga
     }
 }
 
-/// The basis of the answer to an assertion. If the answer has a run, the basis consists of the entries for its steps.
-/// This is also true for runs that show that the assertion holds.
+/// Returns the basis of the answer to an assertion. If the answer has a run, the basis consists of the entries for the
+/// steps of this run, even if the run shows that the assertion holds.
 Basis basis_of(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                const refine::Verdict& verdict, const AssertionReport& report) {
     Basis basis;
@@ -82,12 +82,12 @@ Basis basis_of(const ClaimContext& context, const csp_emit::Obligation& obligati
     return basis;
 }
 
-/// The evaluation error with its place and its element of the model.
+/// Returns the evaluation error with its place and its element of the model.
 std::string failure_text(const Project& project, const cspm::EvaluationError& error) {
     return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
 }
 
-/// Sets the answer of a claim that cannot be evaluated. A value that leaves its carrier is not a fault of the model.
+/// Sets the answer of a claim that cannot be evaluated. A value outside its carrier is not a fault of the model.
 void set_failure(const Project& project, const cspm::EvaluationError& error, AssertionReport& report) {
     report.answer = Answer::error;
     report.reason = failure_text(project, error);
@@ -112,7 +112,7 @@ private:
 /// machine.
 constexpr std::uint64_t most_states_for_failure = 20'000;
 
-/// The assertion about components that are not compressed.
+/// Returns the assertion with the processes of components that are not compressed.
 cspm::Decl plain_assertion(const cspm::Decl& assertion) {
     cspm::Decl result = assertion;
     for (cspm::ExprPtr* side : {&result.assertion.specification, &result.assertion.implementation})
@@ -120,8 +120,8 @@ cspm::Decl plain_assertion(const cspm::Decl& assertion) {
     return result;
 }
 
-/// Adds a run after which an expression has no value. `D__` of a large component compresses parts of it, which then
-/// fail before the first step. `VS__` compresses nothing.
+/// Adds a run after which an expression has no value. It uses `VS__`, which compresses nothing: `D__` of a large
+/// component compresses parts of the component, and these fail before the first step.
 void add_failing_run(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                      AssertionReport& report) {
     const bool refinement = assertion.assertion.kind == cspm::AssertionKind::refinement;
@@ -163,9 +163,9 @@ bool decide_with_terms(const ClaimContext& context, const csp_emit::Obligation& 
     }
 }
 
-/// A compilation failed, because a state of some component cannot be evaluated. Decides the assertion if the runs of
-/// the whole process do not reach such a state before a violation. Otherwise, if an expression of the model has no
-/// value, looks for a run that reaches it.
+/// Handles a compilation that failed because a state of some component cannot be evaluated. Decides the assertion if
+/// the runs of the whole process do not reach such a state before a violation. Otherwise, if an expression of the model
+/// has no value, searches for a run that reaches this expression.
 void look_at_failure(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                      AssertionReport& report) {
     if (decide_with_terms(context, obligation, plain_assertion(assertion), report)) return;
@@ -174,7 +174,7 @@ void look_at_failure(const ClaimContext& context, const csp_emit::Obligation& ob
         add_failing_run(context, obligation, assertion, report);
     } catch (const cspm::EvaluationError&) {
     } catch (const process::SemanticsError&) {
-    } catch (const diagnostics::LimitReached&) {  // the error is known, and only its run is not
+    } catch (const diagnostics::LimitReached&) {  // the error is reported without a run
     }
 }
 
@@ -202,7 +202,7 @@ constexpr std::uint64_t most_states_for_firing = 20'000;
 
 using Transitions = std::vector<csp_emit::TransitionInside>;
 
-/// The transitions of the question whose names are not in `elements`.
+/// Returns the transitions of the question whose names are not in `elements`.
 Transitions missing_transitions(const csp_emit::FiringQuestion& question, const std::set<std::string>& elements) {
     Transitions result;
     for (const csp_emit::TransitionInside& transition : question.transitions)
@@ -211,7 +211,7 @@ Transitions missing_transitions(const csp_emit::FiringQuestion& question, const 
     return result;
 }
 
-/// "t1: S1 -> S2 (model.rct:12), ..."
+/// Returns a list such as "t1: S1 -> S2 (model.rct:12), ...".
 std::string transition_list(const Project& project, const Transitions& transitions) {
     std::vector<std::string> texts;
     for (const csp_emit::TransitionInside& transition : transitions)
@@ -219,7 +219,7 @@ std::string transition_list(const Project& project, const Transitions& transitio
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// The transitions that never fire in any instance of their machine.
+/// Returns the transitions that never fire in any instance of their machine.
 std::vector<std::string> unexercised_transitions(const csp_emit::FiringQuestion& question, const Transitions& never) {
     std::map<std::string, std::size_t> instances;
     for (const csp_emit::TransitionInside& transition : question.transitions) ++instances[transition.origin.element];
@@ -230,8 +230,8 @@ std::vector<std::string> unexercised_transitions(const csp_emit::FiringQuestion&
     return result;
 }
 
-/// Answers which transitions fire. If several transitions of one state have the same trigger and target, a step may not
-/// show which of them fired. So the others may never fire although one does.
+/// Writes the answer to the question which transitions fire. If several transitions of one state have the same trigger
+/// and target, a step may not show which of them fired. So some of them may never fire although one does.
 void answer_firing(const Project& project, const csp_emit::FiringQuestion& question, const runs::Exercised& found,
                    AssertionReport& report) {
     const Transitions never = missing_transitions(question, found.possible);
@@ -267,7 +267,7 @@ void decide_firing(const ClaimContext& context, const csp_emit::FiringQuestion& 
     }
 }
 
-/// This text is printed if a recurrence claim holds, because without probabilities the claim only states a possibility.
+/// Printed if a recurrence claim holds. Without probabilities, the claim only states a possibility.
 const char* const fair_draws =
     "it happens again and again with probability 1 only if every choice between steps is a draw, each with a chance "
     "above 0";
@@ -309,12 +309,12 @@ void note_time_stop(const ClaimContext& context, const csp_emit::Obligation& cla
 }
 
 /// Decides a claim that consists of several assertions. If all of them must hold, the first that fails ends the check.
-/// If one suffices, the first that holds ends the check, and the claim fails only if all of them fail. If none holds
+/// If one assertion suffices, the first that holds ends the check, and the claim fails only if all fail. If none holds
 /// and one is inconclusive, the claim is inconclusive. Returns the assertions on which a positive answer is based.
 std::vector<cspm::DeclPtr> decide_claim(const ClaimContext& context, const csp_emit::Obligation& obligation,
                                         AssertionReport& report) {
     std::optional<std::string> unknown;  // the reason of the first inconclusive assertion
-    Basis before;                        // basis of assertions that do not decide the claim alone
+    Basis before;                        // basis of the assertions that do not decide the claim on their own
     std::vector<cspm::DeclPtr> all;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
         all.push_back(assertion);
@@ -356,7 +356,7 @@ AssertionReport decide_premise(const ClaimContext& context, const csp_emit::Obli
     return report;
 }
 
-/// The name of the claim for --assertion; "" if it has none.
+/// Returns the name of the claim for --assertion; "" if it has none.
 std::string name_of(const ir::System& system, const csp_emit::Obligation& obligation) {
     if (!obligation.component.empty()) return core_name(obligation);
     return obligation.property == ir::no_id ? obligation.name : system.properties[obligation.property].name;
@@ -371,7 +371,7 @@ bool is_wanted(const ClaimContext& context, const csp_emit::Obligation& obligati
     return std::ranges::find(settings.core_names, name) != settings.core_names.end();
 }
 
-/// The transitions or states for which the obligation asks whether runs exercise them.
+/// Returns the transitions or states for which the obligation asks whether runs exercise them.
 std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     std::vector<std::string> result;
     if (obligation.firing)
@@ -382,7 +382,7 @@ std::vector<std::string> elements_of(const csp_emit::Obligation& obligation) {
     return result;
 }
 
-/// The declaration of the component of a core property: "state machine P::S".
+/// Returns the declaration of a component such as "state machine P::S".
 diagnostics::Span declaration_span(const ir::System& system, const std::string& component) {
     const std::string name = component.substr(component.rfind(' ') + 1);
     const auto is_it = [&](const std::string& package, const std::string& path) {
@@ -424,7 +424,7 @@ void announce_claims(const ClaimContext& context, ClaimResults& results) {
     }
 }
 
-/// Opens the session of a script. If the script uses an undefined name, this is reported once for all its claims.
+/// Opens the session of a script. An undefined name in the script is reported once for all its claims.
 std::unique_ptr<cspm::Session> start_session(const Project& project, const csp_emit::Emission& emission, Time time,
                                              const SearchContext& search, ClaimResults& results) {
     try {
@@ -442,8 +442,8 @@ std::unique_ptr<cspm::Session> start_session(const Project& project, const csp_e
     }
 }
 
-/// Adds the bounds to the basis of an answer. An answer from the cache contains no information about bounds, so it gets
-/// none.
+/// Adds the bounds to the basis of an answer. An answer from the cache contains no information about bounds, so nothing
+/// is added to it.
 void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit::Obligation& claim,
                 AssertionReport& report) {
     const bool answered = report.answer == Answer::holds || report.answer == Answer::fails;
@@ -468,8 +468,8 @@ void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds)
     }
 }
 
-/// The claims of the model come first, then the core properties, of small components first. Informative properties are
-/// decided last, so that they do not use the time of other claims.
+/// Ranks the claims of the model before the core properties, and core properties of small components before those of
+/// large ones. Informative properties are last, so that they do not use the time of other claims.
 int rank_of(const csp_emit::Obligation& obligation) {
     constexpr int of_information = 4;
     if (obligation.component.empty()) return 0;
@@ -484,7 +484,7 @@ void Premises::apply_premise(const ClaimContext& context, const csp_emit::Obliga
                              AssertionReport& report) {
     if (obligation.premise == nullptr) return;
     // For a claim of a claims file, the premise states that the component does not stop time under the assumptions. It
-    // matters even if the claim fails.
+    // is decided even if the claim fails.
     const bool of_failures = claim_of(context.project, obligation).has_value();
     if (report.answer != Answer::holds && !(of_failures && report.answer == Answer::fails)) return;
     const AssertionReport premise = answer_premise(context, obligation);
@@ -564,7 +564,7 @@ AssertionReport TimeClaims::decide(const Turn& turn, const ListedClaim& claim) {
     search.turn.on_progress = [&](const refine::Progress& progress) { note_progress(progress, claim.number); };
     AssertionReport one = undecided(claim);
     try {
-        if (!session_ && !open_session()) return one;  // the results contain the reason
+        if (!session_ && !open_session()) return one;  // open_session has added the reason to the results
         const auto assertions =
             decide_whole({project_, search, emission_, *session_, guards_, takes_}, *claim.obligation, one);
         if (certifies_ && one.answer == Answer::holds) one.certificate = certificate_of(claim, one, assertions, search);
@@ -617,7 +617,7 @@ std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context,
             complete_answer(context.project, reading_context(context), context.search, obligation, *claim, one);
             const claims::Decision& decision = context.project.claims->scripted.at(*claim).decision;
             if (decision.standstill) assertions.push_back(decision.standstill);
-            if (decision.waiting) assertions.clear();  // it also excludes endless runs
+            if (decision.waiting) assertions.clear();  // this claim also excludes endless runs
         }
         if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
     }

@@ -24,8 +24,8 @@ namespace robochart::driver {
 
 /// The values that claims are about.
 enum class Values {
-    of_project,   ///< of all data of the project
-    of_carriers,  ///< of the finite instantiation, where other claims are about classes of values
+    of_project,   ///< the values of all data of the project
+    of_carriers,  ///< the values of the finite instantiation; other claims are about classes of values
 };
 
 using ClaimFilter = std::function<bool(const csp_emit::Obligation&)>;
@@ -43,8 +43,8 @@ struct ClaimContext {
 /// Decides the premises of claims. A premise that several claims share is decided once.
 class Premises {
 public:
-    /// If the premise of a claim that holds does not hold, the claim becomes inconclusive and gets the run that refutes
-    /// the premise.
+    /// Decides the premise of a decided claim. If the premise does not hold, the claim becomes inconclusive and gets
+    /// the run that refutes the premise.
     void apply_premise(const ClaimContext& context, const csp_emit::Obligation& obligation, AssertionReport& report);
 
 private:
@@ -62,18 +62,18 @@ struct ListedClaim {
 /// Decides claims in one semantics, timed or untimed.
 class TimeClaims {
 public:
-    /// Lists the claims that `takes` selects in the results. All arguments must outlive the object.
+    /// Adds the claims that `takes` selects to the results, as undecided. All arguments must outlive the object.
     TimeClaims(Project& project, const csp_emit::Emission& emission, const SearchContext& search, csp_emit::Time time,
                ClaimFilter takes, Values values, ClaimResults& results);
 
     [[nodiscard]] const std::vector<ListedClaim>& claims() const { return claims_; }
     /// Decides the claim within the turn. The results only contain the progress until the report is stored.
     [[nodiscard]] AssertionReport decide(const Turn& turn, const ListedClaim& claim);
-    /// The claim before anything was known about it.
+    /// The report about the undecided claim.
     [[nodiscard]] const AssertionReport& undecided(const ListedClaim& claim) const { return announced_[claim.number]; }
-    /// Returns true if the claim is decided.
+    /// Stores the report in the results. Returns true if the claim is decided.
     bool store(AssertionReport report, const ListedClaim& claim);
-    /// The claim, with a function that decides it within a turn.
+    /// Returns the claim together with a function that decides it within a turn.
     [[nodiscard]] static WaitingClaim waiting(const ListedClaim& claim, std::function<bool(const Turn&)> decide);
 
     /// Claims that hold get certificates, if the settings name a folder for them.
@@ -87,10 +87,11 @@ private:
     bool open_session();
     /// If a limit has just ended a long evaluation: "; ", and its place in the model. Otherwise "".
     [[nodiscard]] std::string stopped_evaluation() const;
-    /// Returns the assertions on which a positive answer is based; none for claims that are decided without assertions.
+    /// Decides the whole claim. Returns the assertions on which a positive answer is based; none for claims that are
+    /// decided without assertions.
     std::vector<cspm::DeclPtr> decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,
                                             AssertionReport& one);
-    /// The certificates of a claim that holds, whose assertions are given.
+    /// Writes the certificates of a claim that holds; `assertions` are its assertions.
     CertificateReport certificate_of(const ListedClaim& claim, const AssertionReport& one,
                                      const std::vector<cspm::DeclPtr>& assertions, const SearchContext& search);
     void note_progress(const refine::Progress& progress, std::size_t at);
@@ -109,7 +110,7 @@ private:
     Premises premises_;
     std::unique_ptr<cspm::Session> session_;
     bool given_back_ = false;
-    bool certifies_ = false;  ///< claims that hold get certificates
+    bool certifies_ = false;  ///< true if claims that hold get certificates
     std::optional<SecondLook> second_look_;
     std::size_t first_ = 0;                   ///< index of the first claim in the results
     std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them

@@ -17,26 +17,27 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The length of the first turn in seconds: a fraction of the run's time limit, so that the last claim gets a turn,
-/// too.
+/// Returns the length of the first turn in seconds. It is a fraction of the run's time limit, so that the last claim
+/// gets a turn, too.
 double first_turn(const SearchContext& search) {
     constexpr double usual = 10, parts = 10;
     return search.settings.limits.timeout_seconds > 0 ? std::min(usual, search.settings.limits.timeout_seconds / parts)
                                                       : usual;
 }
 
-/// The factor by which a turn is longer than the claim's turn before. A claim that starts again loses the work of its
-/// last turn; with this factor, the loss is small.
+/// Each turn of a claim is longer than its previous turn by this factor. A claim that starts again loses the work of
+/// its previous turn, so a large factor keeps the loss small.
 constexpr double longer = 8;
 
-/// A turn that ends after `seconds`. If `seconds` is 0, it ends with the run.
+/// Returns a turn that ends after `seconds`. If `seconds` is 0, the turn ends with the run.
 Turn turn_of(double seconds) {
     constexpr double for_ever = 1e9;
     if (seconds <= 0 || seconds >= for_ever) return {};
     return {Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)), {}};
 }
 
-/// Frees shared memory and waits until the budget, which measures memory a hundred times per second, has noticed.
+/// Frees shared memory and waits until the budget has registered this. The budget measures memory a hundred times per
+/// second.
 void free_memory(const std::function<void()>& give_back) {
     constexpr std::chrono::milliseconds two_looks{20};
     if (give_back) give_back();

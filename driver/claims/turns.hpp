@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order in which claims are decided. Every claim gets a short turn before any claim gets a long one, so that a
-// claim that is never decided does not delay the others.
+// Determines the order in which claims are decided. Every claim gets a short turn before any claim gets a long one. So
+// a claim that is never decided does not delay the others.
 #pragma once
 
 #include <functional>
@@ -32,7 +32,7 @@ void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContex
 /// single claim may have reached it.
 [[nodiscard]] bool run_is_over(const diagnostics::Budget&);
 
-/// The text for a claim that --assertion-timeout left undecided; it replaces the claim's own reason.
+/// Returns the reason for a claim that --assertion-timeout left undecided. It replaces the claim's own reason.
 [[nodiscard]] std::string ended_turn(const std::string& reason, const SearchContext&);
 
 }  // namespace robochart::driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See certificate.hpp. A certificate is untrusted input, because anybody may have changed it.
+// See certificate.hpp. Reads certificates as untrusted input, because anybody may have changed them.
 #include "driver/evidence/certificate.hpp"
 
 #include <fmt/format.h>
@@ -81,7 +81,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A JSON object whose fields must all be read exactly once. Fields that are not read are an error.
+/// A JSON object all of whose fields must be read exactly once. A field that is not read is an error.
 class Fields {
 public:
     Fields(const Json& value, std::string where) : value_(value), where_(std::move(where)) {

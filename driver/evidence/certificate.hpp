@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A certificate is the result of tuning: constants, the search that found them, and the decisions about the model with
-// these constants. Anybody can repeat the decisions (`tune --verify-certificate`).
+// Reads and writes certificates of tuning. A certificate contains constants, the search that found them, and the
+// decisions about the model with these constants. Anybody can repeat the decisions (`tune --verify-certificate`).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace robochart::driver {
 
-/// The hexadecimal digest of a text; different texts have different digests.
+/// Returns the hexadecimal digest of a text; different texts have different digests.
 [[nodiscard]] std::string content_digest(std::string_view text);
 
 /// A decided claim and its answer: "A1 [timed] S is deadlock-free", "holds".
@@ -32,7 +32,7 @@ struct DecidedClaim {
     std::string answer;
     std::uint64_t trials = 0;
     std::uint64_t successes = 0;
-    double low = 0;  ///< the confidence interval when it was last computed
+    double low = 0;  ///< the last computed confidence interval
     double high = 1;
 
     friend bool operator==(const DecidedClaim&, const DecidedClaim&) = default;
@@ -43,7 +43,7 @@ struct Evidence {
     using Files = std::vector<std::pair<std::string, std::string>>;
 
     std::string scenario;         ///< its name
-    std::string scenario_digest;  ///< of the scenario's text
+    std::string scenario_digest;  ///< digest of the scenario's text
     Files model;                  ///< the files of the model and their digests, sorted
     std::vector<DecidedItem> assertions;
     std::vector<DecidedItem> conformance;
@@ -59,7 +59,7 @@ struct SearchRecord {
     std::string test;  ///< "friedman", "t-test"
     std::uint64_t trials = 0;
     std::uint64_t candidates = 0;
-    std::uint64_t first_seed = 0;  ///< first seed of the trials, and their number
+    std::uint64_t first_seed = 0;  ///< first seed and number of the trials
     std::uint64_t seeds = 0;
     double cost = 0;  ///< mean cost of the winner's trials in the search; lower than that of fresh trials
 };
@@ -69,20 +69,21 @@ struct Certificate {
     std::string program;     ///< "robochart-verify 0.1.0"
     std::string build;       ///< build ID of the program; "" if unknown
     std::string run = "{}";  ///< record of the run, in JSON; not compared
-    /// The constants that were found, then those that were given.
+    /// The constants that the search found, then the constants that the user gave.
     std::vector<std::pair<std::string, std::string>> constants;
     std::vector<std::string> ranges;  ///< `--range`
     SearchRecord search;
     Evidence evidence;
 };
 
-/// The certificate as text with a final line end, including a digest of its contents.
+/// Returns the certificate as text with a final line end, including a digest of its contents.
 [[nodiscard]] std::string certificate_text(const Certificate&);
 /// Reads a certificate strictly: all fields and no others, with the right types, and a correct digest. No value on
 /// failure; `error` contains the reason.
 [[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
 
-/// The differences between files, verdicts and claims, one line for each difference. Empty if both are equal.
+/// Returns the differences between files, verdicts and claims, one line for each difference. The result is empty if
+/// both are equal.
 [[nodiscard]] std::vector<std::string> evidence_differences(const Evidence& certified, const Evidence& found);
 
 }  // namespace robochart::driver

@@ -36,8 +36,8 @@ public:
         }
     }
 
-    /// The value of a constant; "" if it is not defined. If it is defined as another constant, the value of that
-    /// constant.
+    /// Returns the value of a constant; "" if it is not defined. If it is defined as another constant, returns the
+    /// value of the other constant.
     [[nodiscard]] std::string constant_value(std::string name) const {
         std::set<std::string> followed;
         for (auto at = values_.find(name); at != values_.end(); at = values_.find(name)) {
@@ -61,12 +61,12 @@ private:
     std::map<std::string, std::string> functions_;
 };
 
-/// The constants with different values. A constant is shown by the last part of its name if all constants with this
-/// last part have the same values, otherwise by its path.
+/// Lists the constants with different values. If all constants with the same last part of the name have the same
+/// values, this last part represents them. Otherwise, the path of each constant is shown.
 std::vector<std::string> constants_unlike(const Project& project, const Definitions& here, const Definitions& there) {
     const auto own = ir::own_constants(project.system);
-    std::vector<std::pair<std::string, std::string>> unlike;  // path of a constant, and text with both values
-    std::map<std::string, std::set<std::string>> of_name;     // the values of all constants of one name
+    std::vector<std::pair<std::string, std::string>> unlike;  // path of a constant, and a text with both values
+    std::map<std::string, std::set<std::string>> of_name;  // for each name, the values of the constants with this name
     const auto last = [](const std::string& path) { return path.substr(path.rfind(':') + 1); };
     for (const ir::NamedConstant& constant : ir::named_constants(project.system)) {
         const auto shown = [&](const std::string& text) {

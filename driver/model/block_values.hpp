@@ -10,8 +10,8 @@
 
 namespace robochart::driver {
 
-/// The constants and functions for which the timed blocks have other definitions than `without_blocks`: "RC = 0 (there
-/// 1), ms(...)". "" if there are none.
+/// Lists the constants and functions whose definitions in the timed blocks differ from those in `without_blocks`: "RC =
+/// 0 (there 1), ms(...)". Returns "" if there are none.
 [[nodiscard]] std::string values_unlike_blocks(const Project&, const cspm::Script& without_blocks);
 
 }  // namespace robochart::driver

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims are independent of each other: an error in one does not affect the others if the text around both could be
-// parsed. A claim depends on the CSP blocks whose processes it names, and a block depends on the blocks whose names it
-// uses. A block may also replace the instantiation, on which everything depends. Excluded items are blanked in the
-// text, so that the rest is read as if they did not exist.
+// Finds the claims and blocks that an error may affect. Claims are independent of each other: an error in one does not
+// affect the others if the text around them could be parsed. A claim depends on the CSP blocks whose processes it
+// names, and a block depends on the blocks whose names it uses. A block may also replace the instantiation, on which
+// everything depends. Excluded items are replaced by blanks in the text, so that the rest is read as if they did not
+// exist.
 #include "driver/model/broken_claims.hpp"
 
 #include <algorithm>
@@ -93,7 +94,7 @@ public:
 
     /// Finds the items that an error may affect. For an error in a text between two items, `add_stray_neighbours` finds
     /// them. Returns false if the error is before all items and not in a claim that could not be parsed. `head` is set
-    /// to the beginning of the first such claim.
+    /// to the beginning of the first claim that could not be parsed.
     bool touched_by(diagnostics::Span error, std::vector<Item>& found, std::size_t& head) const {
         if (items_.empty()) return false;
         if (error.begin < items_.front().begin) {
@@ -126,12 +127,12 @@ public:
     }
 
 private:
-    /// The beginning of the next item.
+    /// Returns the offset at which the next item begins.
     [[nodiscard]] std::size_t next(std::size_t item) const {
         return item + 1 < items_.size() ? items_[item + 1].begin : text_.size();
     }
 
-    /// The beginning of the `timed` or `untimed` before an item.
+    /// Returns the offset of the keyword `timed` or `untimed` before an item.
     [[nodiscard]] std::size_t with_time(std::size_t begin, AssertionTime time) const {
         if (time == AssertionTime::both) return begin;
         const std::string_view word = time == AssertionTime::timed ? "timed" : "untimed";
@@ -168,8 +169,8 @@ private:
     std::vector<Item> items_;
 };
 
-/// The index of a source in Model::files. The text of a block is a separate source with the path and the offsets of its
-/// file.
+/// Returns the index of a source in Model::files. The text of a block is a separate source with the path and the
+/// offsets of its file.
 std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId source) {
     const std::string& path = project.sources.path(source);
     const auto& files = project.model->files;
@@ -178,7 +179,7 @@ std::optional<std::size_t> file_of(const Project& project, diagnostics::SourceId
     return std::nullopt;
 }
 
-/// The places of the errors in each assertion file; empty if other files have errors.
+/// Returns the places of the errors in each assertion file; empty if other files have errors.
 std::map<std::size_t, std::vector<diagnostics::Span>> errors_in_claims(const Project& project) {
     std::map<std::size_t, std::vector<diagnostics::Span>> result;
     if (project.diagnostics.dropped_count() > 0) return {};
@@ -305,7 +306,7 @@ private:
     const Project& project_;
     std::map<std::size_t, std::vector<diagnostics::Span>> errors_;  ///< by index in Model::files
     std::map<std::size_t, std::size_t> heads_;                      ///< for files with errors: see ItemList::touched_by
-    std::set<std::size_t> whole_;                                   ///< files of which no part can be used
+    std::set<std::size_t> whole_;                                   ///< files that cannot be used even in parts
     std::set<const Assertion*> claims_;                             ///< excluded claims; the order is never used
     std::set<const CspBlock*> blocks_;                              ///< excluded blocks; the order is never used
     std::set<std::string> declared_;                                ///< names that these blocks may declare

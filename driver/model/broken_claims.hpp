@@ -24,8 +24,8 @@ struct BrokenClaims {
     Side broken;        ///< includes the models, which are then read again (Part::again)
     bool some = false;  ///< true if some claim can still be decided
 };
-/// No value if an error is not in an assertion file, or if all remaining claims could depend on a part that cannot be
-/// read. No claim is decided in these cases.
+/// Returns no value if an error is not in an assertion file, or if all remaining claims could depend on a part that
+/// cannot be read. In these cases, no claim is decided.
 [[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
 /// True if there are errors, and all of them are in assertion files.
 [[nodiscard]] bool only_claims_broken(const Project&);

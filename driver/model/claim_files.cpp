@@ -65,7 +65,7 @@ std::set<std::string> declared_names(const frontend::Model& model) {
     return result;
 }
 
-/// The declared component in a name like "warehouse::Warehouse::brain".
+/// True if the name, such as "warehouse::Warehouse::brain", contains a declared component.
 bool mentions(const claims::Name& name, const std::set<std::string>& declared) {
     std::size_t from = 0;
     for (;;) {
@@ -80,7 +80,7 @@ bool names_components(const ClaimFile& file) {
     return std::ranges::any_of(file.claims, [](const claims::Claim& claim) { return claim.component.has_value(); });
 }
 
-/// True if the file may be about this model. Without imports and components it may be about any.
+/// True if the file may be about this model. A file without imports and components may be about any model.
 bool is_about(const ClaimFile& file, const frontend::Model& model) {
     const std::set<std::string> packages = packages_of(model);
     if (file.package && packages.contains(file.package->text)) return true;
@@ -131,14 +131,14 @@ std::vector<std::string> model_inputs(const std::vector<std::string>& inputs) {
         found.insert(models.begin(), models.end());
         folders.insert(folder_of(input));
     }
-    if (found.empty()) found = folders;  // reading them reports that they contain no models
+    if (found.empty()) found = folders;  // the loader then reports that these folders contain no models
     result.assign(found.begin(), found.end());
     return result;
 }
 
 namespace {
 
-/// The claims in assertion files.
+/// Reads the claims in assertion files.
 void read_claims_of_assertions(Project& project) {
     for (const auto& file : project.model->files) {
         std::vector<diagnostics::Span> places;
@@ -288,9 +288,9 @@ ir::Property readiness(const claims::CheckedClaim& claim, const Project& project
 
 namespace {
 
-/// "nat is 0..4 here; `--range` and `--const` choose values"
+/// Returns a text such as "nat is 0..4 here; `--range` and `--const` choose values".
 std::string values_text(const claims::EventMatch& match, const claims::CheckedClaim& claim, const Project& project) {
-    std::map<std::string, std::string> ranges;  // by type
+    std::map<std::string, std::string> ranges;  // key: the type
     for (const std::size_t channel : match.channels)
         for (const ir::TypeId id : claim.component.channels[channel].types) {
             const ir::Type& type = project.system.type(id);

@@ -15,12 +15,12 @@
 
 namespace robochart::driver {
 
-/// The inputs without claims files. If nothing else was given, the models in the folder of the claims, or in the folder
-/// above.
+/// Returns the inputs without claims files. If all inputs are claims files, returns the models in their folder, or in
+/// the folder above.
 [[nodiscard]] std::vector<std::string> model_inputs(const std::vector<std::string>& inputs);
 
-/// Reads the claims files of the inputs into the project, whose model has been read. These are the claims files that
-/// are inputs, those below an input folder, and those in the folder of an input file that are about its model. If the
+/// Reads the claims files of the inputs into the project, whose model has been read. A claims file is read if it is an
+/// input, if it is below an input folder, or if it is in the folder of an input file and about its model. If the
 /// settings ignore claims, only their time unit is used, and their errors are not reported.
 void read_claim_files(Project& project, const LoadSettings& settings);
 
@@ -28,22 +28,22 @@ void read_claim_files(Project& project, const LoadSettings& settings);
 /// ignored, otherwise with the claims.
 void find_unit(Project& project);
 
-/// The time unit that is declared in the claims files in the folders of these files, or below these folders. Errors of
-/// the declarations are reported; other errors of the files are not.
+/// Returns the time unit that is declared in the claims files in or below the folders of these files. Errors in the
+/// declarations are reported; other errors in the files are not.
 [[nodiscard]] std::optional<claims::DeclaredUnit> unit_beside(const std::vector<std::string>& paths,
                                                               diagnostics::SourceManager& sources,
                                                               diagnostics::Diagnostics& diagnostics);
 
-/// Reads and resolves the claims files of a project whose settings ignore claims: those about control cycles are
+/// Reads and resolves the claims files of a project whose settings ignore claims. Claims about control cycles are
 /// decided with the code.
 void read_ignored_claims(Project& project, const LoadSettings& settings);
 
-/// Gives each claims file of the whole project to the part that it is about. A file that may be about several parts is
-/// an error.
+/// Assigns each claims file of the whole project to the part that it is about. Reports an error for a file that may be
+/// about several parts.
 void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFile>>& files,
                         const std::vector<Part>& parts);
 
-/// The claims of the assertion files and of the claims files.
+/// Returns the claims of the assertion files and of the claims files.
 [[nodiscard]] std::vector<ClaimName> all_claims_of(const Project& project);
 
 /// Resolves the claims in the project's system; values of conditions are compared with the finite instantiation.

@@ -38,7 +38,7 @@ const csp_emit::ComponentProcesses& processes_of(const CheckedClaim& claim, cons
 /// Adds the claims to a script.
 class ClaimScript {
 public:
-    /// `showing`: null for the script without shown facts.
+    /// `showing` is null for the script without shown facts.
     ClaimScript(Project& project, csp_emit::Emission& emission, const ShowingScript* showing)
         : project_(project), emission_(emission), showing_(showing) {}
 
@@ -113,9 +113,9 @@ private:
         return letters;
     }
 
-    /// If there are several machines, another machine may act after a step of a machine and before the machine shows
-    /// its facts. This delay does not affect claims about what holds whenever time passes, nor claims about the facts
-    /// of a single machine.
+    /// True if the claim reads its facts without delay. If there are several machines, another machine may act after a
+    /// step of a machine and before the machine shows its facts. This delay does not affect claims about what holds
+    /// whenever time passes, nor claims about the facts of a single machine.
     [[nodiscard]] static bool sees_exactly(const CheckedClaim& claim) {
         if (claim.facts.empty() || claim.component.machines.size() == 1) return true;
         const bool whole = claim.scope.kind == claims::ScopeKind::whole;
@@ -130,9 +130,9 @@ private:
         return one && !events;
     }
 
-    /// The component in parallel with the assumptions about it. An assumption refuses every event that breaks it, but
-    /// must not stop time. A response that an assumption demands is an output of the environment. Like other outputs,
-    /// it is taken at once.
+    /// Returns the component in parallel with the assumptions about it. An assumption refuses every event that breaks
+    /// it, but must not stop time. A response that an assumption demands is an output of the environment, which is
+    /// accepted at once like other outputs.
     cspm::ExprPtr with_assumptions(const CheckedClaim& claim, cspm::ExprPtr process,
                                    std::vector<cspm::ExprPtr>& outputs, std::vector<claims::Letter>& letters,
                                    csp_emit::Obligation& obligation) {
@@ -179,7 +179,8 @@ private:
         return made;
     }
 
-    /// A demanded response has two names. Claims, later assumptions and reports treat both names as one event.
+    /// Adds the second name of a demanded response. Claims, later assumptions and reports treat both names as one
+    /// event.
     void add_name(const claims::Assumed::Due& due, std::vector<claims::Letter>& letters) {
         if (const auto known = emission_.provenance.events.find(due.event); known != emission_.provenance.events.end())
             emission_.provenance.events.emplace(due.due, csp_emit::EventMeaning(known->second));
@@ -196,7 +197,7 @@ private:
     std::set<std::size_t> assumed_;  ///< the assumptions whose processes are in the script
 };
 
-/// True if the script may show the facts of the claim, too.
+/// True if the script may show the facts of this claim in addition.
 bool may_take(const claims::ShownFacts& shown, const CheckedClaim& claim) {
     claims::ShownFacts both = shown;
     claims::add_facts(claim, both);
@@ -227,7 +228,7 @@ std::vector<ShowingScript> divide_claims(const Project& project) {
 
 void emit_showing(Project& project, ShowingScript& script) {
     const csp_emit::Shown shown = claims::emitted_facts(script.shown, project.system, project.instantiation);
-    diagnostics::Diagnostics findings;  // those of the model are reported with the other script
+    diagnostics::Diagnostics findings;  // findings about the model are reported with the other script
     findings.set_budget(project.diagnostics.budget());
     script.emission = std::make_unique<csp_emit::Emission>(
         csp_emit::emit_showing(project.system, project.instantiation, shown, project.sources, findings));

@@ -44,7 +44,7 @@ namespace robochart::driver {
 namespace fs = std::filesystem;
 namespace {
 
-/// The name of the file or folder, also for `.` and `..`.
+/// Returns the name of the file or folder. `.` and `..` are resolved first.
 std::string project_name(const std::string& input) {
     std::error_code lost;
     const fs::path whole = fs::absolute(input, lost);
@@ -86,8 +86,8 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     return all;
 }
 
-/// Whether the command needs the RoboSim components: it writes or checks scripts, or it handles RoboSim components and
-/// one is selected.
+/// True if the command needs the RoboSim components. It does if it writes or checks scripts, or if it handles RoboSim
+/// components and one is selected.
 bool uses_robosim(const ir::System& system, const LoadSettings& settings) {
     if (settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write) return true;
     if (!settings.robosim) return false;
@@ -108,8 +108,8 @@ bool has_robochart(const ir::System& system) {
     return std::ranges::any_of(components, [&](const ir::ComponentRef& ref) { return !ir::is_robosim(system, ref); });
 }
 
-/// Leaves out the RoboSim components of the parts whose command does not need them. If it handles RoboSim, but another
-/// component is selected, this needs no message.
+/// Removes the RoboSim components of the parts if the command does not need them. There is no message if the command
+/// handles RoboSim, but another component is selected.
 bool leave_out_robosim(const std::vector<Part>& parts, const LoadSettings& settings) {
     const bool charts =
         std::ranges::any_of(parts, [](const Part& part) { return has_robochart(part.project->system); });
@@ -188,7 +188,7 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
     if (all) check_component(parts, settings.load);
 }
 
-/// The file that a unit is named after: its first model, or the assertion file that distinguishes it.
+/// Returns the file that names a unit: its first model, or the assertion file that distinguishes it.
 fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
     if (unit.again) return path(unit.files.back());
@@ -197,8 +197,8 @@ fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     return path(model == unit.files.end() ? unit.files.front() : *model);
 }
 
-/// A unique name for each unit: the name of its file. If several are equal, the folder is put before the name; if that
-/// is not enough, a number is added.
+/// Returns a unique name for each unit: the name of its file. If several names are equal, the name of the folder is
+/// prepended. If names are still equal, a number is added.
 std::vector<std::string> names_of(const Project& whole, const std::vector<frontend::Unit>& units) {
     std::map<std::string, std::size_t> called;
     for (const frontend::Unit& unit : units) ++called[project_name(naming_file(whole, unit).string())];
@@ -243,7 +243,7 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
     return part;
 }
 
-/// The first error of each text; empty if an error is outside of assertion files.
+/// Returns the first error of each text; empty if an error is outside of assertion files.
 std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(const Project& project) {
     std::set<diagnostics::SourceId> assertions;
     for (const auto& file : project.model->files)
@@ -257,8 +257,8 @@ std::map<diagnostics::SourceId, diagnostics::Diagnostic> errors_of_assertions(co
     return first;
 }
 
-/// Removes the assertion files that have errors from the project, and reports each. Returns the unchanged project if
-/// other files have errors too, or if no file would remain.
+/// Removes the assertion files that have errors from the project, and reports each removed file. Returns the unchanged
+/// project if other files also have errors, or if no file would remain.
 std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> project, const LoadSettings& settings) {
     const auto broken = errors_of_assertions(*project);
     frontend::Unit rest;
@@ -274,7 +274,7 @@ std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> proj
     return left;
 }
 
-/// The model that consists of these texts.
+/// Returns the model that consists of these texts.
 std::unique_ptr<frontend::Model> load_given(Project& project, const std::vector<TextInput>& inputs) {
     std::vector<diagnostics::SourceId> texts;
     for (const TextInput& input : inputs)
@@ -295,7 +295,8 @@ std::unique_ptr<Project> read(const LoadSettings& settings, diagnostics::Budget&
                                                : std::move(project);
 }
 
-/// If two parts have components with the same name, all output about the parts contains the part's name.
+/// Sets the labels of the parts. If two parts have components with the same name, all output about a part contains its
+/// name.
 void label_parts(const std::vector<Part>& parts) {
     std::map<std::string, std::set<const Project*>> owners;
     for (const Part& part : parts)
@@ -370,7 +371,7 @@ bool includes_time(Times times, csp_emit::Time time) {
 }
 
 std::unique_ptr<Project> with_carriers_of_robotool(const Project& project) {
-    diagnostics::Diagnostics known;  // the project has reported them
+    diagnostics::Diagnostics known;  // the whole project has already reported these
     known.set_budget(project.diagnostics.budget());
     ir::Instantiation other = ir::instantiate_system(project.system, project.asked, known, ir::Carriers::robotool);
     const ir::Instantiation& own = project.instantiation;
@@ -403,7 +404,7 @@ std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Bud
 
 namespace {
 
-/// "5x8".
+/// Parses a grid such as "5x8".
 csp_emit::SwarmGrid grid_of(const std::string& text) {
     constexpr std::uint32_t most = 64;
     csp_emit::SwarmGrid grid;
@@ -417,7 +418,7 @@ csp_emit::SwarmGrid grid_of(const std::string& text) {
     return grid;
 }
 
-/// The swarm that --swarm names, with the other options about it.
+/// Returns the swarm that --swarm names, changed by the other options about swarms.
 csp_emit::Swarm swarm_of(const SwarmSettings& settings, diagnostics::SourceManager& sources,
                          diagnostics::Diagnostics& diagnostics) {
     std::string error;
@@ -430,8 +431,8 @@ csp_emit::Swarm swarm_of(const SwarmSettings& settings, diagnostics::SourceManag
     return csp_emit::read_swarm(sources, *source, diagnostics, {settings.robots, grid});
 }
 
-/// The names of a project's claims, or the texts of a swarm's claims, in order, without duplicates. --assertion refers
-/// to this list.
+/// Returns the names of a project's claims, or the texts of a swarm's claims, in order, without duplicates. The numbers
+/// and patterns of --assertion refer to this list.
 std::vector<std::string> claim_names(const Project& whole, const SwarmSettings& swarm) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& name) {
@@ -481,7 +482,7 @@ OtherWords name_claims(Project& whole, Settings& settings) {
     return other;
 }
 
-/// The names of all core properties, in order, without duplicates.
+/// Returns the names of all core properties, in order, without duplicates.
 std::vector<std::string> core_names(const std::vector<Part>& parts, const Settings& settings) {
     std::vector<std::string> names;
     for (const Part& part : parts) {
@@ -537,7 +538,7 @@ bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>&
     });
 }
 
-/// A claim or CSP block with errors does not prevent the other claims from being decided. If some claims can be
+/// Separates claims and CSP blocks with errors from the others, which can still be decided. If some claims can be
 /// decided, a part with errors is divided into two (broken_claims.hpp). Scripts are written for the part without
 /// errors.
 void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) {
@@ -690,7 +691,7 @@ const csp_emit::Emission& emit_csp(Project& project, const ClaimSettings& claims
 
 namespace {
 
-/// Whether a RoboChart and a RoboSim component have this qualified name.
+/// True if a RoboChart and a RoboSim component have this qualified name.
 bool is_in_both_notations(const ir::System& system, const ir::ComponentRef& component) {
     return std::ranges::any_of(all_components(system), [&](const ir::ComponentRef& other) {
         return ir::qualified_name(other) == ir::qualified_name(component) &&
@@ -737,7 +738,7 @@ namespace {
 /// A component's name as a user writes it: `P::S`, `S`, or with its notation `robosim:P::S`, `robochart:S`.
 struct GivenName {
     std::string name;
-    std::optional<bool> robosim;  ///< no value: of any notation
+    std::optional<bool> robosim;  ///< no value: any notation
 };
 
 constexpr std::string_view robochart_prefix = "robochart:", robosim_prefix = "robosim:";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The phases of a run over a model, each computed once and on demand (docs/architecture.md has the table).
+// Runs the phases of a command over a model. Each phase is computed once and on demand (table in docs/architecture.md).
 #pragma once
 
 #include <memory>
@@ -28,7 +28,7 @@ namespace robochart::driver {
 void add_swarm(Settings&);
 
 /// Divides the inputs into parts. Files that do not belong together are resolved and made finite separately
-/// (frontend/project/units.hpp), each part as if it were alone. There is one part if all files belong together. A part
+/// (frontend/project/units.hpp), each part as if it were alone. If all files belong together, there is one part. A part
 /// with errors is not lowered or made finite; its diagnostics contain them. Names in the settings must exist in some
 /// part. The words of --assertion are replaced by the names of the claims that they select (claim_selection.hpp).
 [[nodiscard]] std::vector<Part> load_parts(Settings&, diagnostics::Budget&);
@@ -38,37 +38,37 @@ void add_swarm(Settings&);
 /// The project with RoboTool's carriers, which exported scripts use; null if the project already has these carriers.
 [[nodiscard]] std::unique_ptr<Project> with_carriers_of_robotool(const Project&);
 
-/// The name of a core property for --assertion: "P::S: deadlock-free".
+/// Returns the name of a core property for --assertion: "P::S: deadlock-free".
 [[nodiscard]] std::string core_name(const csp_emit::Obligation&);
 
 /// True if the settings select the claim of the model with this name. If they select nothing, all claims are selected.
 [[nodiscard]] bool is_selected(const ClaimSettings&, const std::string& claim);
 
-/// True if the core properties of a part are checked: they were requested, or assertions are checked and the model has
-/// none. False if an earlier part has the same components.
+/// True if the core properties of a part are checked. They are checked if the user requests them, or if assertions are
+/// checked and the model has none. They are not checked if an earlier part has the same components.
 [[nodiscard]] bool core_wanted(const Part&, const Settings&);
 
-/// Whether claims are decided in this semantics.
+/// True if claims are decided in this semantics.
 [[nodiscard]] bool includes_time(Times, csp_emit::Time);
 
-/// The timed or untimed semantics as a type-checked script; diagnostics are added to the project's. The script is made
-/// on the first request with the settings of that request, and stored in the project. Throws std::logic_error if the
+/// Returns the timed or untimed semantics as a type-checked script. Diagnostics are added to the project's diagnostics.
+/// The script is made with the settings of the first call, and stored in the project. Throws std::logic_error if the
 /// script is wrong although it contains no text of the user.
 [[nodiscard]] const csp_emit::Emission& emit_csp(Project&, const ClaimSettings&, const SwarmSettings&, csp_emit::Time);
 
-/// The components for which C++ is generated. Without a name: the modules; if the model has no modules, the
-/// controllers; if it has no controllers either, the machines. With a name: the components with this name, of any kind.
-/// `robosim`: likewise those of RoboSim, after those of RoboChart. A prefix of the name, `robochart:` or `robosim:`,
-/// selects one of the two.
+/// Returns the components for which C++ is generated. If the name is empty, these are the modules, or the controllers
+/// if there are no modules, or the machines if there are no controllers either. Otherwise, they are the components of
+/// any kind with this name. If `robosim` is set, RoboSim components follow, selected in the same way. The prefix
+/// `robochart:` or `robosim:` of a name selects one of the two notations.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name,
                                                             bool robosim = false);
 
-/// The name of a component that selects it: qualified, and with the prefix `robochart:` or `robosim:` if components of
-/// both have this name.
+/// Returns the name that selects a component. The name is qualified, and has the prefix `robochart:` or `robosim:` if
+/// components of both notations have this name.
 [[nodiscard]] std::string component_name(const ir::System&, const ir::ComponentRef&);
 
-/// A component's name in file names and generated code: letters, digits and underscores. It contains the package if
-/// components of other packages have the same name.
+/// Returns the component's name for file names and generated code, which consists of letters, digits and underscores.
+/// It contains the package if components of other packages have the same name.
 [[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
 
 /// Loads a text that is not a model: a file, or standard input if the path is "-". No value if it cannot be read;
@@ -76,8 +76,8 @@ void add_swarm(Settings&);
 [[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
                                                               std::string& error);
 
-/// "; it has patrol.scenario": the files of a folder that the user may have meant, if the user names a folder where a
-/// file is required. "" if there are none.
+/// Lists the files of a folder that the user may have meant, for a message about a folder where a file is required: ";
+/// it has patrol.scenario". Returns "" if there are none.
 [[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
 
 /// True if there are no errors and, if warnings are denied, no warnings.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ranges of RoboTool's encoding in PRISM, from its preferences or from the instantiation.
+// Reads the ranges of RoboTool's encoding in PRISM from RoboTool's preferences or from the instantiation.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace robochart::driver {
 
-/// The ranges of RoboTool's encoding; no value, with a finding, if they cannot be read.
+/// Returns the ranges of RoboTool's encoding. If they cannot be read, adds a finding and returns no value.
 [[nodiscard]] std::optional<prism_emit::Preferences> read_preferences(Project&, const ProbabilitySettings&);
 
 }  // namespace robochart::driver

@@ -20,7 +20,7 @@ namespace robochart::driver {
 
 /// The claims of claims files (project_claims.hpp).
 struct ProjectClaims;
-/// An object without claims.
+/// Returns an object without claims.
 [[nodiscard]] std::shared_ptr<ProjectClaims> make_project_claims();
 
 /// All data about one model.
@@ -30,23 +30,23 @@ struct Project {
         : texts(std::move(shared)), sources(*texts) {}
 
     std::string name;    ///< name of the first input without folder and extension; used in names of written files
-    std::string label;   ///< printed before results: "NAME: " if parts have components of the same name, otherwise ""
-    std::string folder;  ///< folder for the files of its components: "NAME/" in this case
+    std::string label;   ///< printed before results: "NAME: " if parts share names of components, otherwise ""
+    std::string folder;  ///< folder for the files of its components: "NAME/" if `label` is not empty
     std::shared_ptr<diagnostics::SourceManager> texts;
     diagnostics::SourceManager& sources;  ///< shared by all parts of a run
     diagnostics::Diagnostics diagnostics;
     std::unique_ptr<frontend::Model> model;
-    std::shared_ptr<ProjectClaims> claims = make_project_claims();  ///< of its claims files; never null
-    durations::Unit unit;                                           ///< if its claims files declare it
-    diagnostics::Span unit_place;                                   ///< of the declaration
+    std::shared_ptr<ProjectClaims> claims = make_project_claims();  ///< the claims of its claims files; never null
+    durations::Unit unit;                                           ///< the time unit, if its claims files declare one
+    diagnostics::Span unit_place;                                   ///< the place of this declaration
     ir::System system;
     ir::InstantiationOptions asked;  ///< options for its instantiation
     ir::Instantiation instantiation;
     std::set<std::string> outputs_replaced;     ///< as in semantics/data/class_model.hpp
     std::vector<ir::RelatedVariables> related;  ///< as in semantics/data/class_model.hpp
-    std::set<std::string> shared_names;         ///< names that components of one kind in several of its packages share
+    std::set<std::string> shared_names;         ///< names of several components of one kind, in different packages
     double seconds = 0;                         ///< time for reading, resolving and lowering
-    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts that were requested (emit_csp)
+    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts made so far (emit_csp)
 };
 
 /// A project without model, for the same texts, with another system and instantiation.
@@ -55,7 +55,7 @@ struct Project {
 /// A part of a run: files that belong together (pipeline.hpp, load_parts).
 struct Part {
     std::unique_ptr<Project> project;
-    bool again = false;  ///< an earlier part contains its components, too
+    bool again = false;  ///< true if an earlier part contains the same components
 };
 
 /// A claim of an assertion file.
@@ -63,7 +63,7 @@ struct ClaimName {
     std::string name;
     diagnostics::Span span;
 };
-/// The claims of a model's assertion files, in the order of the files.
+/// Returns the claims of a model's assertion files, in the order of the files.
 [[nodiscard]] std::vector<ClaimName> claims_of(const frontend::Model&);
 
 }  // namespace robochart::driver

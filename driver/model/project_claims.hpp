@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The claims of a project's claims files (docs/claims.md), from the texts to the script.
+// Data about the claims of a project's claims files (docs/claims.md), from the texts to the script.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@ namespace robochart::driver {
 struct ScriptedClaim {
     std::vector<claims::Letter> letters;
     claims::Decision decision;
-    /// True if every run of the script is a run of the model, and the facts hold at their places. Otherwise the script
-    /// has additional runs; a claim that holds for all runs of the script still holds.
+    /// True if every run of the script is a run of the model in which the facts are shown at the right moments.
+    /// Otherwise, the script has additional runs. A claim that holds for all runs of the script holds in both cases.
     bool exact = true;
 };
 
 /// A timed script whose machines show the states and variables that some claims read (csp_emit/showing.hpp).
 struct ShowingScript {
-    std::set<std::string> claims;  ///< names
+    std::set<std::string> claims;  ///< names of the claims
     claims::ShownFacts shown;
     std::unique_ptr<csp_emit::Emission> emission;
 };
@@ -40,10 +40,10 @@ struct InstantiatedClaims {
 };
 
 struct ProjectClaims {
-    bool ignored = false;                                         ///< only their time unit is used
-    std::vector<std::shared_ptr<const claims::ClaimFile>> files;  ///< as read
+    bool ignored = false;                                         ///< true if only the time unit of the files is used
+    std::vector<std::shared_ptr<const claims::ClaimFile>> files;  ///< the files as read
     claims::CheckedClaims checked;                                ///< resolved in the project's system
-    std::vector<ScriptedClaim> scripted;                          ///< by the numbers of the resolved claims
+    std::vector<ScriptedClaim> scripted;                          ///< indexed by the numbers of the resolved claims
     std::vector<ShowingScript> showing;                           ///< made by showing_scripts
     std::vector<std::string> settings;                            ///< the constants that claims set in this project
     std::vector<InstantiatedClaims> instantiated;                 ///< for the claims that set other constants

@@ -16,29 +16,29 @@ namespace robochart::driver {
 
 /// The kind of an entry of the basis.
 enum class GroundKind : unsigned char {
-    guard,          ///< untimed: parts of a condition that read clocks were taken as true
+    guard,          ///< untimed: the parts of a condition that read clocks were assumed to be true
     bound,          ///< a bound of the finite instantiation was reached
-    no_time,        ///< timed: the specification never lets time pass
+    no_time,        ///< timed: the specification never allows time to pass
     time_stops,     ///< time can stop, and nothing is required after that
     ended,          ///< the component can terminate, and nothing is required after that
     never_at_rest,  ///< refusals were not compared, because the component never becomes stable
     never_asked,    ///< no run reaches the subject of the claim
-    constant,       ///< probabilistic: a constant has a chosen value, because nothing gives it one
-    sampling,       ///< probabilistic: random paths, not all states
-    carriers,       ///< the claim is about the values of carriers; other claims are about classes of values
+    constant,       ///< probabilistic: the value of a constant was chosen, because nothing sets it
+    sampling,       ///< probabilistic: random paths were used, and not all states were explored
+    carriers,       ///< the claim is about values of carriers, not about classes of values
 };
 
-/// The kind as a word in data formats: "guard", "noTime".
+/// Returns the name of the kind in data formats: "guard", "noTime".
 [[nodiscard]] std::string_view name_of(GroundKind);
 
 /// An entry of the basis.
 struct Ground {
     GroundKind kind = GroundKind::bound;
-    std::string text;                   ///< the fact, without a place
-    std::string element;                ///< of the model: "P::S::t1"; "": of the whole claim
-    std::string place;                  ///< "model.rct:12"; "" if it has none
+    std::string text;     ///< the fact, without a place
+    std::string element;  ///< an element of the model, "P::S::t1"; "" if the entry is about the whole claim
+    std::string place;    ///< "model.rct:12"; "" if the entry has no place
     std::optional<runs::Place> region;  ///< the same place with its end
-    std::string remedy;                 ///< what to do if it is not intended; "" if there is nothing to do
+    std::string remedy;                 ///< how to avoid the entry; "" if there is no remedy
 
     friend auto operator<=>(const Ground&, const Ground&) = default;
 };
@@ -49,16 +49,17 @@ using Basis = std::vector<Ground>;
 /// Adds an entry unless it exists already.
 void add(Basis&, Ground);
 
-/// The region of a span with its end; no value if it is unknown.
+/// Returns the span as a region with its end; no value if the span is unknown.
 [[nodiscard]] std::optional<runs::Place> region_of(const diagnostics::SourceManager&, diagnostics::Span);
 
-/// Sets the place.
+/// Sets the place and the region of an entry.
 void set_place(const diagnostics::SourceManager&, diagnostics::Span, Ground&);
 
-/// "the bound was met (model.rct:12)".
+/// Returns the entry as text with its place: "the bound was met (model.rct:12)".
 [[nodiscard]] std::string ground_text(const Ground&);
 
-/// Lines for people, with at most `most` entries of a kind. A remedy is printed once, after the entries that share it.
+/// Returns readable lines, with at most `most` entries of each kind. A remedy is printed once, after the entries that
+/// share it.
 [[nodiscard]] std::vector<std::string> basis_lines(const Basis&, std::size_t most);
 
 }  // namespace robochart::driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers to the claims of a model or a script, as data.
+// Defines the answers to the claims of a model or a script, as data.
 #pragma once
 
 #include <cstddef>
@@ -22,18 +22,18 @@ enum class Answer {
     holds,
     fails,
     inconclusive,
-    no_check,   ///< the claim has no check in this semantics; it is listed, but does not count as true
+    no_check,   ///< the claim has no check in this semantics; it is listed, but not as true
     error,      ///< the claim could not be evaluated because of wrong input
     unchecked,  ///< a claim of a kind that is not decided here, so its answer is unknown
     computed,   ///< a value was requested and computed
 };
 
-/// The answer in data formats: "holds", "fails".
+/// Returns the answer for data formats: "holds", "fails".
 [[nodiscard]] std::string_view name_of(Answer);
-/// The answer for people: "holds", "FAILS".
+/// Returns the answer for readable reports: "holds", "FAILS".
 [[nodiscard]] std::string_view answer_word(Answer);
 
-/// The reason of a claim whose decision has not begun when a limit is reached.
+/// The reason for claims whose decision has not begun when a limit is reached.
 inline constexpr const char* undecided_at_limit = "it was not decided before the limit";
 
 /// Additional data of an assertion that is a core property, which is checked for every component.
@@ -41,13 +41,13 @@ struct CoreReport {
     std::string component;     ///< "state machine P::S"
     std::string property;      ///< "deadlock-free"
     bool information = false;  ///< informative only: neither a false nor an unknown answer is a problem
-    /// If the property asks which elements are exercised: the transitions or states of the resolved model that it is
-    /// about.
+    /// The transitions or states of the resolved model that the property is about, if it asks which of them are
+    /// exercised.
     std::vector<std::string> elements = {};
-    std::vector<std::string> unexercised = {};  ///< those that no run exercises
+    std::vector<std::string> unexercised = {};  ///< the elements that no run exercises
 };
 
-/// This text is printed with a counterexample that may not be a shortest one.
+/// Printed with a counterexample that may not be a shortest one.
 inline constexpr const char* not_shortest = "the run may not be a shortest one: a limit ended the search for it";
 
 /// The model that decided a probabilistic assertion, and the result for each combination of values of its constants.
@@ -71,25 +71,25 @@ struct CertificateReport {
     bool failed = false;  ///< a certificate could not be written, or is refused
     Certification certification = Certification::unchecked;
     std::uint64_t pairs = 0;       ///< the pairs that robochart-certify has checked
-    std::uint64_t components = 0;  ///< the components of the implementations
+    std::uint64_t components = 0;  ///< the number of components of the implementations
 };
 
 /// One assertion with its answer.
 struct AssertionReport {
     std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
-    std::string name;   ///< for --assertion: "A1", "P::S: deadlock-free"; "" if it has none
+    std::string name;   ///< the name for --assertion: "A1", "P::S: deadlock-free"; "" if it has none
     std::string place;  ///< "aggregation.assertions:12"
     /// The place with its end. For a core property without a place, the declaration of the component.
     std::optional<runs::Place> region;
     std::optional<CoreReport> core;                ///< no value: an assertion of the model or the script
     std::optional<ProbabilityReport> probability;  ///< for probabilistic assertions
     Answer answer = Answer::inconclusive;
-    std::string reason;  ///< inconclusive, no_check, error
+    std::string reason;  ///< set for inconclusive, no_check and error
     Basis basis;         ///< the basis of the answer, apart from the model
     refine::Statistics statistics;
     /// True if this run computed at least a part of the answer, so it is not only from the cache.
     bool searched = false;
-    std::optional<CertificateReport> certificate;  ///< no value if none was asked for, or the claim does not hold
+    std::optional<CertificateReport> certificate;  ///< no value if none was requested, or if the claim does not hold
     std::optional<runs::Run> run;                  ///< the counterexample of a model
     std::string counterexample;                    ///< the counterexample of a script, as text
 };
@@ -99,13 +99,13 @@ void set_place(const diagnostics::SourceManager&, diagnostics::Span, AssertionRe
 
 /// A place where the finite instantiation limited a value while assertions were checked.
 struct BoundReport {
-    std::string element;  ///< "P::S::t1", preceded by the name of the part if there are several
+    std::string element;  ///< "P::S::t1", preceded by the name of the part if there are several parts
     std::string place;    ///< "model.rct:12"
     std::string text;     ///< the expression and how it was limited
     std::string time;     ///< "untimed", "timed", or both
 };
 
-/// The size of a component's process. If a limit was reached, the size at that time.
+/// The sizes of a component's processes. If a limit was reached, the sizes explored until then.
 struct SizeReport {
     struct Size {
         std::size_t states = 0;
@@ -121,8 +121,8 @@ struct SizeReport {
 /// Data that keep the carriers of the finite instantiation.
 struct KeptDataReport {
     std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
-    std::string reason;               ///< why, without a place
-    std::string place;                ///< of the reason, "model.rct:12"; "" if it has none
+    std::string reason;               ///< why they keep them, without a place
+    std::string place;                ///< place of the reason, "model.rct:12"; "" if it has none
 };
 
 /// The answers to the claims, and further data found by the check.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verdict about a SLEEC rule and a component of a model.
+// Defines the verdict about a SLEEC rule and a component of a model.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct RuleVerdict {
     std::string component;
     std::size_t rule = 0;
     Kind kind = Kind::not_decided;
-    std::string reason;              ///< not applicable, not decided, error: the reason
-    std::vector<std::string> lines;  ///< broken: the violation
+    std::string reason;              ///< set for not applicable, not decided and error
+    std::vector<std::string> lines;  ///< describes the violation of a broken rule
     std::uint64_t states = 0;
 };
 

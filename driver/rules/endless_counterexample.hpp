@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes endless runs. A rule or claim that demands an event without a time limit is broken by a run in which this
-// event never occurs.
+// Describes endless runs. Some rules and claims demand an event without a time limit. An endless run in which this
+// event never occurs breaks them.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace robochart::driver {
 
-/// The run as steps of the terms from which the system was compiled, with the repeated steps as its loop. No value if
-/// the system has no terms, or if a state represents several terms. Throws process::Interrupted at a limit.
+/// Returns the run as steps of the terms from which the system was compiled; the repeated steps are its loop. Returns
+/// no value if the system has no terms, or if a state represents several terms. Throws process::Interrupted at a limit.
 [[nodiscard]] std::optional<refine::Counterexample> endless_counterexample(lts::TransitionSystem& system,
                                                                            const sleec::EndlessRun& run,
                                                                            const refine::Limits& bounds);

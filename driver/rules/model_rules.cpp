@@ -22,8 +22,8 @@
 namespace robochart::driver {
 namespace {
 
-/// Explains a run of the component and the rule in terms of the rule. It follows the obligation that the rule's process
-/// has selected.
+/// Explains a run of the component in terms of the rule. It follows the obligation that the rule's process has
+/// selected.
 class BrokenRule {
 public:
     BrokenRule(const RulesOf& of, const sleec::Watch& watch, const sleec::Linking& linking, std::size_t rule)
@@ -45,7 +45,7 @@ public:
         at_ = second ? now_ - 1 : now_;
     }
 
-    /// The demands, each with the clause from which it comes.
+    /// Returns one line for each demand, with the clause of the rule that contains the demand.
     [[nodiscard]] std::vector<std::string> demand_lines() const {
         std::vector<std::string> lines;
         const sleec::Asked& way = watch_.ways()[way_.value()];
@@ -53,7 +53,7 @@ public:
             lines.push_back(sleec::side_text({rule_, began_, way.values, demand}, of_.rules, of_.sources));
         return lines;
     }
-    /// The event that broke the rule; "" if the end of a second without an event did.
+    /// The event that broke the rule; "" if the rule was broken by the end of a second without an event.
     [[nodiscard]] std::string breaking_event() const { return event_of(breaking_) ? breaking_ : ""; }
     [[nodiscard]] std::string break_text(const std::string& place) const {
         const auto event = event_of(breaking_);
@@ -100,8 +100,8 @@ public:
           watch_(of.of_.rules, rule, of.linking_.linking, of.process_in(emission_), readings),
           session_(of.make_session(make_script())) {}
 
-    /// Decides that no demand is broken and that no demand without limit stays open forever. Returns false if a limit
-    /// is reached.
+    /// Decides whether a demand can be broken, and whether a demand without time limit can stay open forever. Returns
+    /// false if a limit of the search is reached.
     bool decide_rule(JudgedRule& judged) {
         const refine::Verdict found = session_->check(*obeyed_, limits_of_check(of_.search_)).verdict;
         RuleVerdict& verdict = judged.verdict;
@@ -148,7 +148,7 @@ private:
         add_run(run, judged);
     }
 
-    /// Adds the run in terms of the model to the verdict, also as lines of text.
+    /// Adds the run to the verdict, as a run of the model and as lines of text.
     void add_run(const refine::Counterexample& run, JudgedRule& judged) {
         csp_emit::Obligation claim;
         claim.kind = ir::PropertyKind::conforms;
@@ -213,13 +213,13 @@ private:
                                             sleec::instant_text(of_.of_.rules, from), loop));
     }
 
-    /// Adds the infinite run to the verdict, if it can be drawn.
+    /// Adds the infinite run to the verdict, if it can be converted to steps of the model.
     void draw_endless(lts::TransitionSystem& system, const sleec::EndlessRun& run, JudgedRule& judged) {
         if (const auto drawn = endless_counterexample(system, run, limits_of_check(of_.search_)))
             add_run(*drawn, judged);
     }
 
-    /// " (model.rct:12)": the declaration of the event or operation.
+    /// Returns the place of the declaration of the event or operation: " (model.rct:12)".
     [[nodiscard]] std::string place_in_model(const std::string& event) const {
         const auto found = emission_.provenance.events.find(event);
         if (found == emission_.provenance.events.end() || !found->second.origin.span.is_known()) return "";
@@ -244,7 +244,7 @@ ModelRules::ModelRules(RulesOf of, const Project& project, const csp_emit::Emiss
       linking_(sleec::link_rules(of.rules, emission, component.path, project.system, project.instantiation)) {
     if (linking_.shown.empty()) return;
     diagnostics::SourceManager sources = project.sources;
-    diagnostics::Diagnostics findings;  // those of the model are reported with the other script
+    diagnostics::Diagnostics findings;  // findings about the model are reported with the other script
     findings.set_budget(&search.services.budget());
     const csp_emit::Shown shown = claims::emitted_facts(linking_.shown, project.system, project.instantiation);
     showing_ = std::make_unique<csp_emit::Emission>(

@@ -24,14 +24,14 @@ struct RulesOf {
     const diagnostics::SourceManager& sources;
 };
 
-/// A verdict and, for a broken rule, the run of the model.
+/// A verdict and, if the rule is broken, a run of the model that breaks it.
 struct JudgedRule {
     RuleVerdict verdict;
-    std::optional<runs::Run> run;  ///< no value: no run in terms of the model was found
+    std::optional<runs::Run> run;  ///< no value if no run of the model was found
 };
 
 /// States whether time can stop in a component although its platform accepts every output and call at once. After time
-/// has stopped, no rule is broken any more, so the report has to mention it.
+/// has stopped, no demand of a rule expires any more, so the report mentions that time can stop.
 struct TimeStops {
     bool stops = false;
     std::string unknown;  ///< why it is not known; "" if it is known
@@ -64,7 +64,7 @@ private:
     const csp_emit::ComponentProcesses& component_;
     SearchContext search_;
     sleec::ComponentLinking linking_;
-    std::unique_ptr<csp_emit::Emission> showing_;  ///< machines show the states of the rules; null if there are none
+    std::unique_ptr<csp_emit::Emission> showing_;  ///< shows the states of the rules; null if the rules name no states
 };
 
 }  // namespace robochart::driver

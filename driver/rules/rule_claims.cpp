@@ -20,7 +20,7 @@
 namespace robochart::driver {
 namespace {
 
-/// The message about a rule file with errors.
+/// Returns the message about a rule file with errors.
 std::string first_error(const LoadedRules& file) {
     for (const diagnostics::Diagnostic& finding : file.diagnostics.sorted_findings())
         if (finding.rule->severity == diagnostics::Severity::error)
@@ -79,7 +79,7 @@ const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::rule_files_for(cons
     const std::filesystem::path path(assertions);
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
     if (const auto known = folders_.find(folder); known != folders_.end()) return known->second;
-    std::vector<std::unique_ptr<LoadedRules>> files;  // stored only when all are read, because a limit may end the
+    std::vector<std::unique_ptr<LoadedRules>> files;  // stored only after all are read, because a limit may end the
                                                       // reading
     for (const std::string& rule_path : sleec_files(folder)) {
         auto loaded = std::make_unique<LoadedRules>();

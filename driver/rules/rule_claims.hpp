@@ -23,10 +23,10 @@ struct LoadedRules {
     std::string path;
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
-    std::optional<sleec::CheckedRules> rules;  ///< no value: see the findings
+    std::optional<sleec::CheckedRules> rules;  ///< no value if the findings contain errors
 };
-/// Reads a rule file; "-" is standard input. A second in a rule is a real second if `unit` gives the length of a time
-/// unit; otherwise it is a time unit.
+/// Reads a rule file; "-" is standard input. If `unit` gives the length of a time unit, a second in a rule is a real
+/// second. Otherwise, a second is a time unit.
 void load_rules(const std::string& path, LoadedRules& loaded, durations::Unit unit = {});
 /// True if a limit above 0 of these rules is a number of seconds, because no time unit is declared.
 [[nodiscard]] bool counts_seconds(const sleec::CheckedRules& rules);
@@ -39,8 +39,8 @@ public:
     RuleClaims(const RuleClaims&) = delete;
     RuleClaims& operator=(const RuleClaims&) = delete;
 
-    /// Answers a property of the kind `conforms`. It is an error if the rule does not fit the component, or if no file
-    /// or several files contain it.
+    /// Answers a property of the kind `conforms`. The answer is an error if the rule does not fit the component, or if
+    /// no file or several files contain the rule.
     void decide_property(const ir::Property& property, const SearchContext& search, AssertionReport& report);
 
 private:
@@ -58,7 +58,7 @@ private:
     const csp_emit::Emission& emission_;
     SearchContext search_;
     std::map<std::string, std::vector<std::unique_ptr<LoadedRules>>> folders_;
-    std::map<std::string, TimeStops> time_stops_;  ///< by the path of the component
+    std::map<std::string, TimeStops> time_stops_;  ///< key: the path of the component
 };
 
 }  // namespace robochart::driver

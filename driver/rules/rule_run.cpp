@@ -18,7 +18,7 @@ std::vector<std::size_t> all_of(const std::multimap<std::string, std::size_t>& n
     return result;
 }
 
-/// The values of a word: "o!a!b". A whole number with a fraction is the number: "3.0".
+/// Returns the values in an event of a log: a and b for "o!a!b". A number such as "3.0" becomes the whole number 3.
 std::vector<std::string> values_in(std::string_view word) {
     std::vector<std::string> result;
     for (std::size_t mark = word.find_first_of("?!"); mark != std::string_view::npos;) {
@@ -125,7 +125,7 @@ void RuleRun::end_instant() {
     read_.assign(read_.size(), false);
 }
 
-/// Only the first violation is recorded.
+/// Records only the first violation of the run.
 void RuleRun::note_violations(std::uint64_t line) {
     for (const sleec::Violation& violation : monitor_.take_violations()) {
         if (is_broken()) return;

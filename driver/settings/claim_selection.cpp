@@ -55,7 +55,7 @@ bool matches_pattern(std::string_view text, std::string_view pattern) {
     return pattern.find_first_not_of('*', at) == std::string_view::npos;
 }
 
-/// The indices of the names that a word selects.
+/// Returns the indices of the names that a word selects.
 std::vector<std::size_t> places_of(std::string_view word, const std::vector<std::string>& names) {
     std::vector<std::size_t> places;
     const auto add_all = [&](const auto& meant) {

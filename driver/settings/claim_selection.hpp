@@ -16,16 +16,17 @@ struct ClaimSelection {
     std::vector<std::string> lost;    ///< words that select no claim
 };
 
-/// Each word is a name, a number (`2`, from 1), a range of numbers (`3..5`) or a pattern (`Safe*`: `*` is any text, `?`
-/// one character). A word that equals a name is not a pattern. Without words, all claims are selected.
+/// Selects claims. Each word is a name, a number (`2`, from 1), a range of numbers (`3..5`) or a pattern (`Safe*`). In
+/// a pattern, `*` matches any text and `?` matches one character. A word that equals a name is not a pattern. Without
+/// words, all claims are selected.
 [[nodiscard]] ClaimSelection select_claims(const std::vector<std::string>& words,
                                            const std::vector<std::string>& names);
 
-/// Whether the word is a number or a range of numbers.
+/// True if the word is a number or a range of numbers.
 [[nodiscard]] bool selects_by_number(std::string_view word);
 
-/// Explains why a word selects no claim of the subject: "the model has 3 assertions", "s.csp has no assertion of this
-/// name; did you mean 'Safe'?".
+/// Explains why a word selects no claim: "the model has 3 assertions", "s.csp has no assertion of this name; did you
+/// mean 'Safe'?". `subject` names the model or script.
 [[nodiscard]] std::string why_lost(std::string_view word, const std::vector<std::string>& names,
                                    std::string_view subject);
 

@@ -15,10 +15,10 @@ namespace robochart::driver {
 /// Parses NAME=VALUE pairs. Malformed pairs and duplicate names are reported in `error`.
 [[nodiscard]] ir::GivenConstants given_constants(const std::vector<std::string>&, std::string& error);
 
-/// The options for the instantiation. Malformed pairs are reported in `error`.
+/// Returns the options for the instantiation. Malformed pairs are reported in `error`.
 [[nodiscard]] ir::InstantiationOptions instantiation_options(const InstantiationSettings&, std::string& error);
 
-/// The values of a type: "0..4".
+/// Returns the values of a type as text: "0..4".
 [[nodiscard]] std::string range_text(const std::vector<std::int64_t>& carrier);
 
 }  // namespace robochart::driver

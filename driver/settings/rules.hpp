@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about the settings, and about the files that they name.
+// Declares the rules about the settings, and about the files that the settings name.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

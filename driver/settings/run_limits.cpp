@@ -13,7 +13,7 @@ std::uint64_t default_memory() {
     std::uint64_t bytes =
         static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     std::uint64_t group = 0;
-    // Control groups, version 2; the file contains "max" if there is no limit.
+    // This file of control groups (version 2) contains "max" if there is no limit.
     if (std::ifstream("/sys/fs/cgroup/memory.max") >> group && group > 0) bytes = std::min(bytes, group);
     return std::min(std::uint64_t{16} << 30U, bytes / 4 * 3);
 }
@@ -21,7 +21,7 @@ std::uint64_t default_memory() {
 diagnostics::Limits run_limits(const LimitSettings& settings) {
     diagnostics::Limits limits;
     limits.memory_bytes = settings.memory_bytes > 0 ? settings.memory_bytes : default_memory();
-    // A limit of more than a year is treated as none, because it would overflow the clock.
+    // A limit of more than a year is ignored, because it would overflow the clock.
     if (constexpr double year = 366.0 * 24 * 3600; settings.timeout_seconds > 0 && settings.timeout_seconds < year)
         limits.deadline =
             std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(

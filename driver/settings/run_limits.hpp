@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of a whole run.
+// Computes the limits of a whole run.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace robochart::driver {
 
-/// 16 GiB, or three quarters of the memory of the machine or its control group, whichever is less.
+/// Returns 16 GiB, or three quarters of the memory of the machine or its control group, whichever is less.
 [[nodiscard]] std::uint64_t default_memory();
 
-/// The limits of a run that starts at the time of the call.
+/// Returns the limits of a run that starts at the time of the call.
 [[nodiscard]] diagnostics::Limits run_limits(const LimitSettings&);
 
 }  // namespace robochart::driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts settings to the limits of one check, with progress reports for its subject.
+// Converts settings to the limits of one check, whose progress is reported under the name of its subject.
 #include "driver/settings/search_context.hpp"
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The context for deciding a claim: the settings, the services of the run, and the claim's turn.
+// Defines the context for deciding a claim: the settings, the services of the run, and the claim's turn.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@ namespace robochart::driver {
 
 /// The turn of a claim (turns.hpp).
 struct Turn {
-    std::optional<std::chrono::steady_clock::time_point> ends = {};  ///< no value: the turn ends with the run
+    std::optional<std::chrono::steady_clock::time_point> ends = {};  ///< no value if the turn ends with the run
     /// Additional receiver of the progress; may be empty.
     std::function<void(const refine::Progress&)> on_progress = {};
 
@@ -29,8 +29,7 @@ struct SearchContext {
     Turn turn = {};
 };
 
-/// The limits of one check: those of the run, of the turn and of the check. Progress is reported under the name
-/// `subject`.
+/// Combines the limits of the run, of the turn and of one check. Progress is reported under the name `subject`.
 [[nodiscard]] refine::Limits limits_of_check(const SearchContext&, const std::string& subject = "");
 
 }  // namespace robochart::driver

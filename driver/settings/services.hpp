@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The services that a run provides to all phases: its budget, the cache, the display of progress, and searches in
-// files. The phases themselves print nothing.
+// Defines the services that a run provides to all phases: the budget, the cache, the display of progress, and searches
+// in files. The phases themselves print nothing.
 #pragma once
 
 #include <functional>
@@ -21,20 +21,21 @@ public:
     Services(const Services&) = delete;
     Services& operator=(const Services&) = delete;
 
-    /// Time, memory and interruption of the run.
+    /// The limits of time and memory, and the interruption of the run.
     [[nodiscard]] virtual diagnostics::Budget& budget() = 0;
     /// Results of earlier runs; null if they are not used.
     [[nodiscard]] virtual diagnostics::Cache* cache() { return nullptr; }
-    /// A function that receives the progress of a search about this subject; empty if progress is not shown.
+    /// Returns a function that receives the progress of a search about this subject; empty if progress is not shown.
     [[nodiscard]] virtual std::function<void(const refine::Progress&)> progress(const std::string& /*subject*/) {
         return {};
     }
     /// True if an interrupted search can continue from stored states, so that a claim needs only one turn.
     [[nodiscard]] virtual bool continues_searches() const { return false; }
-    /// The strategy for searches in files or by several programs; null for searches in memory. All calls return the
-    /// same object.
+    /// Returns the strategy for searches in files or by several programs; null for searches in memory. All calls return
+    /// the same object.
     [[nodiscard]] virtual refine::LevelStrategy* level_searches() { return nullptr; }
-    /// Must be held while results are changed that another thread may print. A thread may hold it several times.
+    /// Locks results that another thread may print. The lock must be held while they are changed; a thread may hold it
+    /// several times.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> edit() { return std::unique_lock(results_mutex_); }
 
 protected:

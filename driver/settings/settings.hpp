@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The settings for processing a model, one struct for each phase. A phase gets only the settings that it needs.
-// services.hpp contains what a run provides to all phases (budget, cache, progress).
+// Defines the settings for processing a model, with one struct for each phase. A phase gets only the settings that it
+// needs. The services that a run provides to all phases (budget, cache, progress) are in services.hpp.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace robochart::driver {
 
-/// The use of a model's claims.
+/// What a command does with a model's claims.
 enum class ClaimUse {
     decide,  ///< claims are decided; without claims, the core properties are decided
     write,   ///< claims are written to scripts
@@ -29,10 +29,10 @@ struct LoadSettings {
     std::vector<TextInput> texts;      ///< texts of the project; if there are any, `inputs` only names the project
     std::vector<std::string> allowed;  ///< codes of warnings to suppress
     bool deny_warnings = false;        ///< treats warnings as errors
-    std::string component;             ///< only this module, controller or machine is used; "": all
+    std::string component;             ///< only this module, controller or machine is used; "": all components
     ClaimUse claims = ClaimUse::decide;
     bool robosim = false;             ///< the command also handles components of RoboSim
-    bool split_broken_claims = true;  ///< claims are decided although other claims have errors
+    bool split_broken_claims = true;  ///< claims are decided even if other claims have errors
 };
 
 /// Settings for the finite instantiation.
@@ -46,8 +46,8 @@ struct InstantiationSettings {
 /// A swarm whose claims replace those of the model.
 struct SwarmSettings {
     std::string file;          ///< "": no swarm
-    std::uint32_t robots = 0;  ///< overrides the file; 0: as in the file
-    std::string grid;          ///< WIDTHxHEIGHT, overrides the file; "": as in the file
+    std::uint32_t robots = 0;  ///< overrides the file unless 0
+    std::string grid;          ///< WIDTHxHEIGHT, overrides the file unless ""
 };
 
 /// The semantics that are checked.
@@ -55,13 +55,13 @@ enum class Times { both, timed, untimed };
 
 /// Settings for the selection of claims.
 struct ClaimSettings {
-    std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); empty: all, or only `core_names`
+    std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); if empty: all, or only `core_names`
     /// Selected core properties (core_name()); empty: all, if `core` asks for them.
     std::vector<std::string> core_names;
     Times times = Times::both;
-    bool core = false;         ///< also the core properties of every component
-    bool sizes = false;        ///< also the sizes of the components' processes
-    bool concrete = false;     ///< decides claims in the finite instantiation; otherwise, classes replace data
+    bool core = false;      ///< also checks the core properties of every component
+    bool sizes = false;     ///< also counts the states of the components' processes
+    bool concrete = false;  ///< decides claims in the finite instantiation; otherwise, classes of values replace data
     std::string certificates;  ///< folder for certificates of claims that hold; "": none
 };
 
@@ -82,10 +82,10 @@ enum class Scheduler {
 struct ProbabilitySettings {
     Encoding encoding = Encoding::csp;
     Scheduler scheduler = Scheduler::any;
-    bool exact = false;       ///< exact fractions instead of intervals
+    bool exact = false;       ///< computes exact fractions instead of intervals
     double epsilon = 1e-6;    ///< relative width of intervals
     std::uint64_t seed = 0;   ///< seed of random paths
-    std::string preferences;  ///< RoboTool's file with ranges; "": --range, or the defaults
+    std::string preferences;  ///< RoboTool's file with ranges; if "": --range, or the defaults
 };
 
 /// The limits of a run, and of each claim in it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error of settings that contradict each other, or that name something that does not exist.
+// Defines the error for settings that contradict each other, or that name something that does not exist.
 #pragma once
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The main loop over streams. A separate thread reads messages. So a request can be cancelled before it starts or while
-// it is handled, and diagnostics are not sent while further messages arrive.
+// Runs the main loop over streams. A separate thread reads messages. So a request can be cancelled before it starts or
+// while it is handled, and diagnostics are not sent while further messages arrive.
 #include <condition_variable>
 #include <exception>
 #include <istream>
@@ -30,7 +30,7 @@ public:
         arrivals_.push_back(std::move(arrival));
         filled_.notify_one();
     }
-    /// Takes all available items; with `wait`, waits until there is one.
+    /// Takes all available items. If `wait` is true, waits until there is at least one.
     std::deque<Arrival> take_arrivals(bool wait) {
         std::unique_lock lock(mutex_);
         if (wait) filled_.wait(lock, [this] { return !arrivals_.empty(); });
@@ -51,7 +51,7 @@ Arrival arrival_of(Frame frame) {
     return arrival;
 }
 
-/// `exit` is the last message; reading after it could block forever.
+/// True for `exit`, which is the last message. Reading after it could block forever.
 bool is_exit(const Arrival& arrival) {
     const View message = arrival.message;
     return arrival.fault.empty() && message["method"].text() == "exit" && !message.has_key("id");
@@ -97,7 +97,7 @@ int serve(std::istream& in, std::ostream& out) {
     while (!server.exit_code() && (!ended || server.has_work())) {
         receive(!server.has_work() && !ended);
         if (server.has_work()) server.handle_next();
-        // More messages may have arrived; diagnostics of an outdated text are useless.
+        // Further messages may have arrived, and diagnostics of an outdated text would be useless.
         receive(false);
         if (!server.has_work() && !ended) server.use_idle_time();
     }

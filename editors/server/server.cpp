@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The protocol states, requests and notifications of the server, and the diagnostics that it sends when no message is
-// queued.
+// Handles the states, requests and notifications of the protocol, and sends diagnostics when no message is queued.
 #include "editors/server/server.hpp"
 
 #include <fmt/format.h>
@@ -113,7 +112,7 @@ void Server::use_idle_time() {
     try {
         for (Language* language : languages_) language->publish();
     } catch (const diagnostics::LimitReached&) {
-        // Newer messages are handled first; then this is tried again.
+        // Newer messages are handled first; then the diagnostics are sent again.
     } catch (const std::exception& error) {
         log_message("diagnostics", error.what());
     }
@@ -201,7 +200,7 @@ void Server::change_folders(View event) {
     for (const View folder : event["added"].items()) models_.add_folder(path_of_uri(folder["uri"].text()));
 }
 
-/// Notifications have no answer, so their errors only go to the editor's log.
+/// Handles a notification. Notifications have no answer, so errors are only sent to the editor's log.
 void Server::handle_notification(const std::string& method, View params) {
     if (method == "exit") {
         exit_code_ = phase_ == Phase::shut_down ? 0 : 1;

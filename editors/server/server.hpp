@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of the server, the messages that are allowed in each state, and the functions that handle them (LSP 3.17,
-// lifecycle messages; JSON-RPC 2.0).
+// Defines the states of the server, the messages that are allowed in each state, and the functions that handle them
+// (LSP 3.17, lifecycle messages; JSON-RPC 2.0).
 #pragma once
 
 #include <array>
@@ -22,14 +22,14 @@ namespace robochart::lsp {
 
 class Server {
 public:
-    /// `send` sends a message, as JSON text, to the editor.
+    /// `send` is called to send a message, as JSON text, to the editor.
     explicit Server(std::function<void(const std::string&)> send);
 
     /// The interruption that the reader thread uses to report messages while the server works.
     [[nodiscard]] Interruption& interruption() { return interruption_; }
     /// Adds a message to the queue.
     void receive_message(const std::string& text);
-    /// Adds a message that is already parsed. If `fault` is not empty there is no message, and the server answers with
+    /// Adds a message that is already parsed. If `fault` is not empty, there is no message, and the server answers with
     /// a parse error.
     void receive_message(Json message, std::string fault);
     /// Handles the first message of the queue. A request is not started if the queue contains its cancellation.
@@ -38,7 +38,7 @@ public:
     /// Sends diagnostics that changed. Called when no message is queued.
     void use_idle_time();
 
-    /// The exit code of the process, if the editor has sent `exit`.
+    /// The exit code of the process; no value until the editor has sent `exit`.
     [[nodiscard]] std::optional<int> exit_code() const { return exit_code_; }
 
 private:
@@ -53,7 +53,7 @@ private:
     void handle_notification(const std::string& method, View params);
     [[nodiscard]] Json answer_request(const std::string& method, View params);
     [[nodiscard]] Json initialize(View params);
-    /// The language of `textDocument` or `item`.
+    /// Returns the language of `textDocument` or `item`.
     [[nodiscard]] Language& language_of(View params);
     void change_files(View changes);
     void change_folders(View event);
@@ -64,7 +64,7 @@ private:
     void send_error(const Json& id, ErrorCode code, const std::string& why);
 
     Interruption interruption_;
-    diagnostics::Budget budget_;  ///< ends work when `interruption_` has a reason
+    diagnostics::Budget budget_;  ///< interrupts work if `interruption_` has a reason
     Session session_;
     Scripts scripts_;
     RuleTexts rules_;

@@ -29,7 +29,7 @@ bool have_common(const std::set<std::size_t>& a, const std::set<std::size_t>& b)
     return std::ranges::any_of(a, [&](std::size_t event) { return b.contains(event); });
 }
 
-/// False if no event is demanded by one rule and forbidden by each of the others. Then there is no conflict, and no
+/// True if one rule demands an event that each of the other rules forbids. Otherwise, there is no conflict, and no
 /// search is needed.
 bool may_clash(const Question& question) {
     std::vector<Events> all;
@@ -43,7 +43,7 @@ bool may_clash(const Question& question) {
     return false;
 }
 
-/// The events that the obligations demand at the instant of their trigger.
+/// Returns the events that the obligations demand at the instant of their trigger.
 std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligations) {
     std::set<std::size_t> result;
     for (const Obligation& obligation : obligations)
@@ -199,7 +199,7 @@ private:
         const Opened& opened = find(open);
         Side result{
             question_.rules[open.rule], opened.began, question_.occurrences[opened.occurrence].sample.values, {}};
-        // The last demand about the event; the windows of earlier ones are over.
+        // Takes the last demand about the event, because the windows of earlier demands are over.
         for (const Demand& demand : question_.find_obligation(open).any)
             if (demand.event.contains(event) && demand.forbids == forbids) result.demand = demand;
         return result;
@@ -212,8 +212,8 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// Finds the steps to a state from which time can no longer pass and from which no clash of some of the rules is
-/// reachable. No value if there is no such state.
+/// Finds the steps to a state from which time can no longer pass and no clash of some of the rules is reachable.
+/// Returns no value if there is no such state.
 std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const AnalysisOptions& options) {
     const auto explored = lts::explore(system, [&](std::size_t states) {
         if (options.budget != nullptr) options.budget->poll();
@@ -332,8 +332,8 @@ private:
         }
     }
 
-    /// Cycles of rules that trigger each other at once, and the same cycles with a rule that forbids an event demanded
-    /// in them.
+    /// Returns the cycles of rules that trigger each other at once. Also returns each of these cycles with one more
+    /// rule that forbids an event demanded in the cycle.
     std::set<std::vector<std::size_t>> at_once() {
         std::vector<std::size_t> rules;
         std::vector<std::set<std::size_t>> events;
@@ -430,7 +430,7 @@ void for_each_question(const CheckedRules& rules, const AnalysisOptions& options
 
 namespace {
 
-/// The samples of all cases of the first rule's trigger.
+/// Returns the samples of all cases of the first rule's trigger.
 std::vector<Sample> samples_of_trigger(const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers,
                                        const AnalysisOptions& options) {
     std::vector<Sample> result;
@@ -443,7 +443,8 @@ std::vector<Sample> samples_of_trigger(const CheckedRules& rules, const std::vec
 }  // namespace
 
 /// True if, for each sample of its trigger, the rule makes no demand or the other rule's demand implies its demand.
-/// Measures are unconstrained, and other triggers may or may not occur, so only the same occurrence can imply it.
+/// Measures are unconstrained, and other triggers may or may not occur, so only a demand for the same occurrence can
+/// imply the rule's demand.
 bool is_redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, const AnalysisOptions& options) {
     return std::ranges::all_of(samples_of_trigger(rules, {rule, by}, options), [](const Sample& sample) {
         if (!sample.obligations[0] || always_fulfilled(*sample.obligations[0])) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Questions about rules without a model: whether a situation can arise in which not all rules can be obeyed, and
-// whether a rule is redundant. docs/rules-language.md, "Questions about rules".
+// Decides questions about rules without a model: whether the rules can be in conflict, so that not all of them can be
+// obeyed, and whether a rule is redundant (docs/rules-language.md, "Questions about rules").
 #pragma once
 
 #include <functional>
@@ -32,7 +32,7 @@ struct Conflict {
     bool for_ever = false;  ///< true if no demand is due yet, but the demanded event is forbidden forever
     bool endless = false;   ///< no event is forbidden, but every due event triggers further demands at this instant,
                             ///< without end
-    /// Other events before the conflict that are needed to obey the rules: second and event.
+    /// Other events before the conflict that are needed to obey the rules, as pairs of second and event.
     std::vector<std::pair<std::int64_t, std::size_t>> besides;
 };
 
@@ -51,14 +51,14 @@ struct AnalysisOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
-/// Decides whether there is a conflict in which all of these rules take part: one rule with several triggers, two
-/// rules, or more. `judged` is ascending.
+/// Decides whether there is a conflict in which all of these rules take part. A single rule may be in conflict if it
+/// has several triggers. The numbers in `judged` are ascending.
 [[nodiscard]] ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t> judged,
                                            const AnalysisOptions& options);
 /// Searches the smallest conflicting sets of rules that are not assumptions. A duty with n alternatives at one last
 /// instant conflicts with at most n other rules, so larger sets need not be checked. In addition, sets of up to six
-/// rules that trigger each other within an instant are checked, also with one more rule that forbids an event demanded
-/// in them. Sets of three or more rules are not checked if a subset is in conflict.
+/// rules that trigger each other within an instant are checked. They are also checked with one more rule that forbids
+/// an event demanded in the set. Sets of three or more rules are not checked if a subset is in conflict.
 void for_each_question(const CheckedRules& rules, const AnalysisOptions& options,
                        const std::function<void(const ConflictAnswer&)>& take);
 /// Returns true if `by` demands everything that `rule` demands for the same trigger. Throws NotDecided.

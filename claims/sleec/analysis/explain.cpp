@@ -12,7 +12,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// "Alarm at second 3, Help at second 4"; at most the first few.
+/// Lists the first of the other events: "Alarm at second 3, Help at second 4".
 std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
     constexpr std::size_t most = 4;
     std::string text;
@@ -23,7 +23,7 @@ std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
 }
 
 std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
-    std::vector<std::string> due;  // several alternatives may be cases of one event
+    std::vector<std::string> due;  // without duplicates, because several alternatives may be cases of one event
     for (const Side& side : conflict.due)
         if (const std::string event = rules.event_name(side.demand.event); std::ranges::find(due, event) == due.end())
             due.push_back(event);

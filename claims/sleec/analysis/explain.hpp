@@ -12,15 +12,15 @@
 
 namespace robochart::sleec {
 
-/// "near, level = 3": the values of the measures in a rule.
+/// Returns the values of the measures in a rule: "near, level = 3".
 [[nodiscard]] std::string values_text(const CheckedRules& rules, std::size_t rule, const Valuation& values);
-/// "asks for Stop up to second 10", for a window that starts at the given second.
+/// Returns "asks for Stop up to second 10". The window of the demand is counted from the second `began`.
 [[nodiscard]] std::string demand_text(const CheckedRules& rules, const Demand& demand, std::int64_t began);
-/// "R begins at second 3 with Go, near: it asks for Stop up to second 5 (rules.sleec:7)".
+/// Returns "R begins at second 3 with Go, near: it asks for Stop up to second 5 (rules.sleec:7)".
 [[nodiscard]] std::string side_text(const Side& side, const CheckedRules& rules,
                                     const diagnostics::SourceManager& sources);
-/// "Go at second 0 with near, load = high": the first events of a history. For an occurrence of the property, the
-/// values of the measures in its conditions are added.
+/// Describes the first events of a history: "Go at second 0 with near, load = high". The values of the measures in the
+/// property's conditions are added to an occurrence of the property.
 [[nodiscard]] std::vector<std::string> history_lines(const std::vector<Happening>& history,
                                                      const CheckedProperty& property, const CheckedRules& rules);
 /// Explains a conflict in at most eight lines.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // See properties.hpp. A shortest history begins with the occurrences of the property, at one instant. Every other
 // occurrence fulfils or ends an open duty. Further occurrences can be omitted, because they would only open duties, and
-// without them no rule is broken. The history can continue forever in two cases. It reaches a state in which all open
-// duties are satisfied if no further event occurs. Or it reaches a part of the graph in which seconds pass repeatedly
+// without them no rule is broken. The history can continue forever in two cases: it reaches a state in which all open
+// duties are satisfied if no further event occurs, or it reaches a part of the graph in which seconds pass repeatedly
 // and every duty without limit is fulfilled or ended.
 #include "claims/sleec/analysis/properties.hpp"
 
@@ -35,8 +35,8 @@ struct OpenDuty {
 };
 
 struct State {
-    bool awaited = true;  ///< the property's event has not occurred yet
-    bool during = false;  ///< the event of `while` has not occurred yet
+    bool awaited = true;  ///< true if the property's event has not occurred yet
+    bool during = false;  ///< true if the event of `while` has not occurred yet
     std::optional<OpenDuty> to_break;
     std::vector<OpenDuty> open;
 
@@ -48,8 +48,8 @@ struct Step {
     std::optional<Happening> happening;  ///< no value: the end of a second
 };
 
-/// The property as additional rules that open a duty at its occurrences. The rule for `exists` makes no demand, but its
-/// samples show whether the condition is true.
+/// Returns the rules with the property as additional rules, which open a duty at its occurrences. The rule for `exists`
+/// makes no demand, but its samples show whether the condition is true.
 CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& property) {
     CheckedRules result = rules;
     Duty nothing;
@@ -204,7 +204,8 @@ private:
         follow(false, false);
     }
 
-    /// The effect of the trigger on the duty that it opens. In LEGOS, the instant of the trigger counts.
+    /// Returns the effect of the trigger on the duty that it opens. In LEGOS, the instant of the trigger belongs to the
+    /// window of the duty.
     Effect begin(OpenDuty& opened, std::size_t event) const {
         if (options_.without_limit != WithoutLimit::now) return Effect::open;
         return take_event(obligations_[opened.obligation], opened.progress, event);
@@ -277,8 +278,8 @@ private:
                });
     }
 
-    /// A state from which seconds can pass forever while every duty without limit is fulfilled repeatedly; no value if
-    /// there is none.
+    /// Returns a state from which seconds can pass forever while every duty without limit is fulfilled repeatedly; no
+    /// value if there is none.
     std::optional<StateIndex> endless_state() {
         const lts::GraphView view{states_.size(), [&](StateIndex state, std::vector<StateIndex>& targets) {
                                       for (const Step& step : steps_[state]) targets.push_back(step.target);
@@ -357,7 +358,7 @@ PropertyAnswer search_histories(const CheckedRules& rules, const CheckedProperty
     }
 }
 
-/// The rules without one of them.
+/// Returns the rules without the given one.
 CheckedRules without_rule(const CheckedRules& rules, std::size_t rule) {
     CheckedRules result = rules;
     result.rules.erase(result.rules.begin() + static_cast<std::ptrdiff_t>(rule));

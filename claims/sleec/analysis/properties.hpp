@@ -17,14 +17,14 @@ struct Happening {
     std::int64_t second = 0;
     std::size_t event = 0;
     Valuation values;
-    bool named = false;  ///< true: the property is about this occurrence
+    bool named = false;  ///< true if the property is about this occurrence
 };
 
-/// Whether some history in which the property occurs obeys all rules.
+/// The answer to the question whether some history in which the property occurs obeys all rules.
 struct PropertyAnswer {
     Answer possible = Answer::no;
-    std::vector<Happening> history;  ///< possible: such a history; after it no event occurs, or its end repeats
-    std::string reason;              ///< not decided: the reason
+    std::vector<Happening> history;  ///< if possible, this history; then no event occurs, or its end repeats
+    std::string reason;              ///< if not decided, the reason
     std::uint64_t states = 0;
 };
 
@@ -32,17 +32,19 @@ struct PropertyAnswer {
 [[nodiscard]] PropertyAnswer check_possible(const CheckedRules& rules, const CheckedProperty& property,
                                             const AnalysisOptions& options);
 
-/// Whether the other rules together imply `rule`: no history obeys them and breaks it.
+/// The answer to the question whether the other rules together imply a rule, so that no history obeys the others and
+/// breaks this rule.
 struct Implication {
     Answer implied = Answer::no;
-    std::vector<std::size_t> by;  ///< implied: rules that imply it, all of them needed
-    std::string reason;           ///< not decided: the reason
+    std::vector<std::size_t> by;  ///< implied: the rules that imply it, all of which are needed
+    std::string reason;           ///< if not decided, the reason
 };
-/// A rule whose trigger the other rules exclude is not reported as implied, because the conflict is reported.
+/// Decides whether the other rules imply `rule`. If the other rules exclude its trigger, it is not reported as implied,
+/// because the conflict is reported instead.
 [[nodiscard]] Implication check_implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
-/// Returns a set of rules that make the property impossible and are all needed for this. May be called only for an
-/// impossible property. A rule counts as needed if its removal cannot be decided.
+/// Returns a set of rules that make the property impossible, all of which are needed. May be called only for an
+/// impossible property. If the question without a rule cannot be decided, the rule is included.
 [[nodiscard]] std::vector<std::size_t> excluding_rules(const CheckedRules& rules, const CheckedProperty& property,
                                                        const AnalysisOptions& options);
 

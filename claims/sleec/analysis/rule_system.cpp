@@ -26,7 +26,7 @@ void check_sizes(const Obligation& obligation) {
             throw NotDecided("a limit is longer than 68 years");
 }
 
-/// Every event in a demand, a trigger, or `unless EVENT`.
+/// Returns every event in a demand, a trigger, or `unless EVENT`.
 std::set<std::size_t> named_events(const CheckedRules& rules, const Question& question) {
     std::set<std::size_t> events;
     for (std::size_t i = 0; i < question.rules.size(); ++i) {
@@ -237,7 +237,7 @@ bool RuleSystem::some_clash(lts::StateView packed) const {
 void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {
     const State state = unpack_state(packed);
     if (find_clash(question_, state.open)) return;
-    // A self-loop, so that only clashes are deadlocks. A state in which a single rule cannot be obeyed is not a
+    // The self-loop ensures that only clashes are deadlocks. A state in which a single rule cannot be obeyed is not a
     // conflict between rules.
     sink.add(aside_, packed, aside_);
     for (std::size_t i = 0; i < question_.occurrences.size(); ++i) add_event_successor(state, i, sink);
@@ -278,8 +278,8 @@ void RuleSystem::add_tock_successor(const State& state, lts::SuccessorSink& sink
     add(next, tock_, sink);
 }
 
-/// If the same obligation is open twice, one of the two is sufficient: the older for a demand, the younger for a
-/// prohibition.
+/// True if the obligation `a` need not be stored because of `b`. If the same obligation is open twice, one of the two
+/// is sufficient: the older for a demand, the younger for a prohibition.
 bool RuleSystem::is_dominated(const OpenObligation& a, const OpenObligation& b) const {
     if (a.rule != b.rule || a.kind != b.kind) return false;
     const Obligation& obligation = question_.find_obligation(a);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A transition system of all histories in which some rules are obeyed as long as possible. A state has no successors if
-// one rule demands an event, now at the latest, and the others forbid this event. Therefore the search for deadlocks
-// finds conflicts.
+// Defines a transition system of all histories in which some rules are obeyed until they are in conflict. A state has
+// no successors if one rule demands an event now at the latest, and the other rules forbid this event. Therefore, the
+// search for deadlocks finds conflicts.
 #pragma once
 
 #include <memory>
@@ -31,18 +31,18 @@ struct OpenObligation {
 
 /// The subject of a question: rules, their possible obligations, and the relevant events.
 struct Question {
-    std::vector<std::size_t> rules;                    ///< numbers in the file: judged rules, then assumptions
-    std::size_t judged = 0;                            ///< number of judged rules
+    std::vector<std::size_t> rules;  ///< numbers in the file: judged rules, then assumptions
+    std::size_t judged = 0;          ///< number of rules that are judged, that is, must take part in a conflict
     std::vector<std::vector<Obligation>> obligations;  ///< for each rule, the obligations of all samples
     std::vector<Occurrence> occurrences;               ///< for each event that a rule names
 
     [[nodiscard]] const Obligation& find_obligation(const OpenObligation& open) const {
         return obligations[open.rule][open.kind];
     }
-    /// The obligation that an occurrence opens; no value if it opens none.
+    /// Returns the obligation that an occurrence opens; no value if it opens none.
     [[nodiscard]] std::optional<OpenObligation> opened_by(const Occurrence& occurrence, std::size_t rule) const;
 };
-/// The question about these rules. The assumptions of the file must be obeyed too. Throws NotDecided.
+/// Makes the question about these rules. The assumptions of the file must be obeyed, too. Throws NotDecided.
 [[nodiscard]] Question make_question(const CheckedRules& rules, std::vector<std::size_t> judged, WithoutLimit,
                                      diagnostics::Budget* budget);
 
@@ -53,14 +53,14 @@ struct Clash {
     std::vector<std::size_t> events;  ///< the events of its demands
     std::vector<OpenObligation> by;   ///< the obligation that forbids each event
 };
-/// A clash at this instant in which all judged rules take part.
+/// Returns a clash at this instant in which all judged rules take part; no value if there is none.
 [[nodiscard]] std::optional<Clash> find_clash(const Question& question, const std::vector<OpenObligation>& open);
 
-/// Only a few occurrences are spontaneous (`unasked_occurrences`); every other occurrence fulfils an open obligation.
-/// All conflicts are still found, for the following reason. From a history with a conflict, select the triggers of the
-/// clashing obligations, and the events that broke prohibitions among their alternatives. Then repeatedly select the
-/// occurrence that first fulfilled an obligation of a selected occurrence. In the history of the selected occurrences,
-/// every obligation has the same outcome as before.
+/// The transition system of a question. Only a few occurrences are spontaneous (`unasked_occurrences`); every other
+/// occurrence fulfils an open obligation. All conflicts are still found, for the following reason. From a history with
+/// a conflict, select the triggers of the clashing obligations, and the events that broke prohibitions among their
+/// alternatives. Then repeatedly select the occurrence that first fulfilled an obligation of a selected occurrence. In
+/// the history of the selected occurrences, every obligation has the same outcome as before.
 class RuleSystem final : public lts::TransitionSystem {
 public:
     explicit RuleSystem(const Question& question);
@@ -100,11 +100,11 @@ private:
     bool left_out_ = false;
 };
 
-/// The largest number of events one of which must occur at the same last instant; at least 1.
+/// Returns the largest number of alternative events in an obligation whose windows end at the same instant; at least 1.
 [[nodiscard]] std::size_t last_alternatives(const std::vector<Obligation>& obligations);
-/// The number of spontaneous occurrences: a trigger for the clashing duty, and one for each of its last alternatives,
-/// which forbids it. For each of these duties, one occurrence for each prohibition that may be broken because there is
-/// another alternative.
+/// Returns the number of spontaneous occurrences. One occurrence triggers the clashing duty. For each of the last
+/// alternatives of this duty, another occurrence triggers a duty that forbids the alternative. For each of these
+/// duties, one occurrence is added for each prohibition that may be broken because there is another alternative.
 [[nodiscard]] std::size_t unasked_occurrences(const Question& question);
 
 }  // namespace robochart::sleec

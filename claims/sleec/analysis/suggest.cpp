@@ -61,7 +61,7 @@ Candidate on_event(const CheckedRules& rules, const EventCases& event) {
     return {fmt::format("unless {}", rules.event_name(event)), {{}, event, nullptr, nullptr}};
 }
 
-/// The rules with one more defeater.
+/// Returns the rules with one more defeater.
 CheckedRules with_defeater(const CheckedRules& rules, std::size_t rule, const CheckedDefeater& defeater) {
     CheckedRules result = rules;
     Duty duty = *result.rules[rule].duty;
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    /// True if the rules and all subsets of them are no longer in conflict.
+    /// True if neither the rules nor a subset of them is in conflict any more.
     bool resolves_conflict(const CheckedRules& changed) {
         try {
             for (const std::size_t rule : rule_numbers_)

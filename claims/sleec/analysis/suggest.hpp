@@ -10,7 +10,7 @@
 
 namespace robochart::sleec {
 
-/// `unless ...` to be added after the response of a rule.
+/// A suggested `unless ...`, to be added after the response of a rule.
 struct Suggestion {
     std::size_t rule = 0;
     std::string text;  ///< "unless near"

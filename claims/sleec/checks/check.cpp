@@ -188,7 +188,7 @@ private:
         if (kind == ArgumentKind::truth) return "true or false";
         return kind == ArgumentKind::number ? "a number" : "a literal";
     }
-    /// The text of the value; "" for `_`.
+    /// Returns the text of the value; "" for `_`.
     std::string argument_value(const Expr& written) {
         if (written.op == Op::truth) return written.text;
         if (written.op == Op::number) return fmt::format("{}", std::stoll(written.text));
@@ -280,7 +280,7 @@ private:
         if (at == constant.value.get() && at->op == Op::name) (void)constant_value(constant.value);
     }
 
-    /// The value of a number or a constant.
+    /// Returns the value of a number or a constant.
     std::int64_t constant_value(const ExprPtr& expr) {
         std::set<std::string> seen;
         const Expr* at = expr.get();
@@ -303,7 +303,7 @@ private:
         if (!duty.measured && *duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
     }
 
-    /// A number of seconds as steps. It is never rounded: a time that is not a multiple of the time unit is an error.
+    /// Converts seconds to steps without rounding. A time that is not a multiple of the time unit is an error.
     std::int64_t steps_of(std::int64_t seconds, Span span) {
         if (!result_.unit) return seconds;
         if (std::abs(seconds) > durations::longest / durations::second) {
@@ -315,7 +315,7 @@ private:
         return seconds < 0 ? -count.units : count.units;
     }
 
-    /// One end of a limit, in steps. An expression with measures has no value.
+    /// Returns one end of a limit, in steps. For an expression with measures, sets `measured` of the duty.
     std::int64_t limit_steps(const ExprPtr& expr, Unit unit, Duty& duty) {
         if (!expr->bracketed) return steps_of(constant_value(expr) * seconds_of(unit), expr->span);
         const Typed value = check_expression(expr);
@@ -392,7 +392,7 @@ private:
         return result;
     }
 
-    /// A state is a boolean measure of the model.
+    /// Checks a state, which is treated as a boolean measure of the model.
     Typed check_state(const Expr& expr) {
         const std::string name = "in " + expr.text;
         std::vector<Measure>& measures = result_.measures;
@@ -544,7 +544,7 @@ private:
         result.trigger = find_event(written.trigger.event);
         result.condition = check_condition(written.trigger.condition);
         result.duty = check_duty(*written.response);
-        if (written.form == RuleForm::at_least) {  // no sooner than N: not in the N seconds before
+        if (written.form == RuleForm::at_least) {  // "no sooner than N" forbids the event in the N seconds before
             Duty before = *result.duty;
             before.to = *before.to - 1;
             result.duty = std::make_shared<const Duty>(std::move(before));
@@ -572,8 +572,8 @@ private:
     std::map<std::string, Span> declared_;
     std::map<std::string, std::size_t> events_, measures_, constants_;
     std::set<std::string> literals_;
-    std::vector<const EventName*> first_use_;        ///< of each event
-    std::map<std::size_t, std::size_t> first_case_;  ///< of each event
+    std::vector<const EventName*> first_use_;        ///< index: the event
+    std::map<std::size_t, std::size_t> first_case_;  ///< index: the event
     std::set<std::string> circles_;                  ///< constants of cycles that have been reported
 };
 

@@ -9,8 +9,8 @@
 
 namespace robochart::sleec {
 
-/// Resolves names and checks types. Limits become numbers of time units if `unit` is the length of one, and otherwise
-/// numbers of seconds. No value, with findings, if there are errors.
+/// Resolves names and checks types. Limits become numbers of time units if `unit` is the length of a time unit, and
+/// otherwise numbers of seconds. If there are errors, adds findings and returns no value.
 [[nodiscard]] std::optional<CheckedRules> check_rules(const RuleFile& file, diagnostics::Diagnostics& diagnostics,
                                                       durations::Unit unit = {});
 

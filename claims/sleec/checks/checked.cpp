@@ -9,7 +9,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// The bound on values. Sums and products of numbers in a text are far below it.
+/// The bound on values. Sums and products of the numbers in a text are far below this bound.
 constexpr std::int64_t largest = 4'000'000'000'000'000'000;
 
 std::int64_t saturate_overflow(std::int64_t value, bool overflow, bool negative) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules after name resolution and type checking: events and measures are numbers, constants are values, times are
-// whole numbers of steps. A step is a second, or a time unit of the model if its length is declared.
+// Defines rules after name resolution and type checking. Events and measures are numbers, constants are values, times
+// are whole numbers of steps. A step is a second, or a time unit of the model if its length is declared.
 //
-// An event with arguments is several events, its cases: one for each combination of the values that the file names, and
-// of other values. A state of the model is a boolean measure, which the model decides.
+// An event with arguments is represented by several events, its cases. There is one case for each combination of values
+// that the file names, and further cases for other values. A state of the model is a boolean measure, which the model
+// decides.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,7 @@ struct Condition {
 
 /// A value for each measure of the file.
 using Valuation = std::vector<std::int64_t>;
-/// The value of a condition, or of a number in it.
+/// Returns the value of a condition, or of a number in it.
 [[nodiscard]] std::int64_t evaluate_condition(const Condition& condition, const Valuation& values);
 
 /// The cases of an event that an event in a rule denotes. There is one case, unless an argument in the rule is `_`.
@@ -40,7 +41,7 @@ class EventCases {
 public:
     // NOLINTNEXTLINE(google-explicit-constructor): an event without arguments is its only case
     EventCases(std::size_t only = 0) : cases_{only} {}
-    /// Ascending, not empty.
+    /// `cases` are ascending and not empty.
     explicit EventCases(std::vector<std::size_t> cases) : cases_(std::move(cases)) {}
 
     [[nodiscard]] bool contains(std::size_t event) const { return std::ranges::find(cases_, event) != cases_.end(); }
@@ -61,9 +62,9 @@ struct Duty;
 using DutyPtr = std::shared_ptr<const Duty>;
 
 struct CheckedDefeater {
-    Condition condition;              ///< over measures; unused if an event defeats
+    Condition condition;              ///< condition on measures; unused if `event` is set
     std::optional<EventCases> event;  ///< extension: this event ends the duty
-    DutyPtr duty;                     ///< null: no duty is left
+    DutyPtr duty;                     ///< null if no duty is left
     const Defeater* written = nullptr;
 };
 
@@ -72,9 +73,9 @@ struct Duty {
     bool forbids = false;
     EventCases event;
     std::int64_t from = 0;           ///< steps
-    std::optional<std::int64_t> to;  ///< steps, inclusive; no value: no limit. Below `from`: the duty is empty
+    std::optional<std::int64_t> to;  ///< steps, inclusive; no value: no limit. If below `from`, the duty is empty
     bool measured = false;           ///< a measure determines the limit: `from` and `to` are unknown
-    DutyPtr otherwise;               ///< null: none
+    DutyPtr otherwise;               ///< null if there is none
     std::vector<CheckedDefeater> defeaters;
     const Response* written = nullptr;
 };
@@ -91,7 +92,7 @@ struct CheckedProperty {
     bool exists = false;
     EventCases trigger;
     std::optional<Condition> condition;
-    DutyPtr duty;                      ///< null: no demand
+    DutyPtr duty;                      ///< null if there is no demand
     std::optional<EventCases> during;  ///< `while` this event
     std::optional<Condition> during_condition;
     const Property* written = nullptr;
@@ -103,34 +104,35 @@ enum class ArgumentKind : std::uint8_t { any, number, truth, literal };
 /// An argument of an event in all rules of the file.
 struct Argument {
     ArgumentKind kind = ArgumentKind::any;
-    std::vector<std::string> values;  ///< "1", "true", "red": those that rules name; for `truth` both
+    std::vector<std::string> values;  ///< the values that rules name: "1", "true", "red"; for `truth` both
 };
 
 /// One case of an event.
 struct EventCase {
     std::size_t declared = 0;         ///< index in the file
-    std::vector<std::string> values;  ///< of the arguments; "": a value that no rule names
-    std::string text;                 ///< "goTo(1)"; a value that no rule names is `other`, or `_` if they name none
+    std::vector<std::string> values;  ///< values of the arguments; "": a value that no rule names
+    std::string text;                 ///< "goTo(1)"; values that no rule names are `other`, or `_` if rules name none
 };
 
 /// A file that satisfies the rules of the language.
 struct CheckedRules {
     std::shared_ptr<const RuleFile> file;          ///< owner of the data to which `written` points
-    std::vector<std::vector<Argument>> arguments;  ///< of each event of the file
+    std::vector<std::vector<Argument>> arguments;  ///< index: the event of the file
     std::vector<EventCase> events;                 ///< in the order of the file
-    std::vector<Measure> measures;                 ///< those of the file, then the states of the model
+    std::vector<Measure> measures;                 ///< the measures of the file, then the states of the model
     std::vector<CheckedRule> rules;
     std::vector<CheckedProperty> concerns, purposes;
-    durations::Unit unit;  ///< the length of a step; no value: a step is a second
+    durations::Unit unit;  ///< the length of a step; if it has no value, a step is a second
 
     [[nodiscard]] const std::string& event_name(std::size_t index) const { return events[index].text; }
-    /// The event as in a rule: "goTo(_)".
+    /// Returns the event as in a rule: "goTo(_)".
     [[nodiscard]] std::string event_name(const EventCases& cases) const;
-    /// The name without arguments.
+    /// Returns the name without arguments.
     [[nodiscard]] const std::string& declared_name(std::size_t index) const {
         return file->events[events[index].declared].name.text;
     }
-    /// The case of an event of the file that carries these values, as texts. No value if it has another number of them.
+    /// Returns the case of an event of the file with these values, given as texts. Returns no value if the event has a
+    /// different number of arguments.
     [[nodiscard]] std::optional<std::size_t> case_of(std::size_t declared,
                                                      const std::vector<std::string>& values) const;
     [[nodiscard]] const Measure& measure(std::size_t index) const { return measures[index]; }
@@ -139,11 +141,11 @@ struct CheckedRules {
     [[nodiscard]] const std::string& name(std::size_t rule) const { return rules[rule].written->name.text; }
 };
 
-/// "second 3"; with a time unit "t=30 (3.0 s)".
+/// Returns "second 3"; with a time unit, "t=30 (3.0 s)".
 [[nodiscard]] std::string instant_text(const CheckedRules& rules, std::int64_t step);
-/// "3 seconds"; with a time unit "30 units (3 s)".
+/// Returns "3 seconds"; with a time unit, "30 units (3 s)".
 [[nodiscard]] std::string steps_text(const CheckedRules& rules, std::int64_t steps);
-/// "near", "level = 3", "load = high": a measure with its value, for messages.
+/// Returns a measure with its value, for messages: "near", "level = 3", "load = high".
 [[nodiscard]] std::string value_text(const Measure& measure, std::int64_t value);
 
 }  // namespace robochart::sleec

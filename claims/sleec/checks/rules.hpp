@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics about names and types of SLEEC rules, as a table.
+// Declares the diagnostics about names and types of SLEEC rules.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -17,7 +17,7 @@ using lts::StateIndex;
 
 constexpr std::uint32_t nowhere = ~std::uint32_t{0};
 
-/// The component number of each state.
+/// Returns the number of the strongly connected component of each state.
 std::vector<std::uint32_t> components_of(const Graph& graph) {
     std::vector<std::uint32_t> result(graph.size(), nowhere);
     std::uint32_t next = 0;
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> components_of(const Graph& graph) {
     return result;
 }
 
-/// The edges of a shortest path from one state to another, through admitted states.
+/// Returns the edges of a shortest path from one state to another through admitted states.
 template <class Admitted>
 std::vector<std::pair<StateIndex, Edge>> find_way(const Graph& graph, StateIndex from, StateIndex to,
                                                   const Admitted& admitted) {

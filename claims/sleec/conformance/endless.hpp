@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides whether an event can occur infinitely often in a finite graph; needed for duties without limit.
+// Decides whether an event can occur infinitely often in a finite graph. Duties without limit need this answer.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,8 @@ struct EndlessRun {
     std::vector<EndlessStep> steps, loop;
 };
 
-/// A run in which the event occurs infinitely often; no value if there is none. There is one iff a strongly connected
-/// component of the reachable states contains an edge with the event. `on_state`: see lts::explore.
+/// Returns a run in which the event occurs infinitely often; no value if there is none. Such a run exists iff a
+/// strongly connected component of the reachable states contains an edge with the event. `on_state`: see lts::explore.
 [[nodiscard]] std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event event,
                                                     const std::function<void(std::size_t states)>& on_state);
 

@@ -71,7 +71,7 @@ const Demand* find_prohibition(const Obligation& obligation) {
     return nullptr;
 }
 
-/// After this second, only windows without end are open.
+/// Returns the second after which only windows without end are open.
 std::int64_t last_second(const Obligation& obligation) {
     std::int64_t last = 0;
     for (const Demand& demand : obligation.any)
@@ -214,13 +214,14 @@ Tree Watch::named_events() const {
     return build::productions(std::move(items));
 }
 
-/// The channel from which the component reads a measure; null for a state, and for a measure that it lacks.
+/// Returns the channel from which the component reads a measure; null for a state, and for a measure that the component
+/// does not have.
 const LinkedMeasure* Watch::channel_of(std::size_t place) const {
     const auto& linked = linking_.measures[followed_[place].measure];
     return linked && linked->facts == 0 ? &*linked : nullptr;
 }
 
-/// The channels by which machines show the states of the rule, without duplicates.
+/// Returns the channels by which machines show the states of the rule, without duplicates.
 std::vector<std::string> Watch::state_channels() const {
     std::vector<std::string> result;
     for (const Followed& followed : followed_) {
@@ -247,7 +248,7 @@ Tree Watch::show_states(const std::string& channel, const std::string& process, 
     return build::prefix(build::name(channel), std::move(fields), build::call(process, std::move(arguments)));
 }
 
-/// A process that performs any of these events and then continues as `then`.
+/// Returns a process that performs any of these events and then continues as `then`.
 Tree Watch::any_event(const EventCases& events, const Tree& then) const {
     Exprs prefixes;
     for (const std::size_t event : events)
@@ -258,8 +259,9 @@ Tree Watch::any_event(const EventCases& events, const Tree& then) const {
                              build::prefix(build::name("x"), then));
 }
 
-/// A measure that the component has not read at this instant may have any value. If it reads the measure later at this
-/// instant, the value must be the assumed one; otherwise the run is discarded. The measures before `from` are decided.
+/// Returns a call of the start process, which assumes a value for each measure that the component has not yet read at
+/// this instant. If the component reads the measure later at this instant, and the value is not the assumed one, the
+/// run is discarded. The measures before `from` are decided.
 Tree Watch::start_call(std::size_t from, Valuation classes) const {
     if (from == followed_.size()) {
         std::size_t way = 0;
@@ -288,8 +290,8 @@ Tree Watch::start_call(std::size_t from, Valuation classes) const {
     return result;
 }
 
-/// sleec_Start0(k..) assumes values for unknown measures. a.. are the assumed values, which are compared with later
-/// readings at this instant.
+/// Defines sleec_Start0(k..), which assumes values for unknown measures. The parameters a.. are the assumed values,
+/// which are compared with later readings at this instant.
 std::vector<DeclPtr> Watch::start_definitions() const {
     std::vector<DeclPtr> result;
     const std::size_t count = followed_.size();
@@ -323,7 +325,7 @@ std::vector<DeclPtr> Watch::start_definitions() const {
     return result;
 }
 
-/// The value of a measure at this instant, after a reading `v`.
+/// Returns the value of a measure at this instant, after a reading `v`.
 Tree Watch::class_of_reading(std::size_t place) const {
     const Tree read = class_of(followed_[place], build::name("v"));
     if (readings_ == Readings::any) return read;
@@ -365,8 +367,8 @@ std::vector<DeclPtr> Watch::idle_definitions() const {
     return {build::function_decl(idle_process, build::variables(parameters), build::choice(std::move(choices)))};
 }
 
-/// An event breaks the obligation, unless a later reading at the trigger's instant shows a value other than the assumed
-/// one.
+/// Returns the process for an event that breaks the obligation. The obligation is not broken if a later reading at the
+/// trigger's instant shows a value other than the assumed one.
 Tree Watch::violation_process() const {
     if (!reads_measures()) return break_process();
     Exprs same;
@@ -385,7 +387,7 @@ Tree Watch::compare_reading(std::size_t place, const Tree& then) const {
                          {build::input("d"), build::input("v")}, build::if_(other, build::name(free_process), then));
 }
 
-/// The values of the measures after a reading that agreed with the assumed value.
+/// Returns the values of the measures after a reading that agreed with the assumed value.
 Exprs Watch::arguments_after_reading(std::size_t place) const {
     Exprs result;
     for (std::size_t k = 0; k < followed_.size(); ++k)
@@ -413,7 +415,7 @@ std::vector<DeclPtr> Watch::wrong_definitions() const {
     return {build::function_decl(wrong_process, build::variables(parameters), build::choice(std::move(choices)))};
 }
 
-/// Corresponds to take_event (obligations/open.hpp).
+/// Returns the continuation after an event. Corresponds to take_event (obligations/open.hpp).
 Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
     const Obligation& obligation = obligations_[index];
     const auto& ended_by = obligation.ended_by;
@@ -434,7 +436,7 @@ Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
                              : build::if_(build::any_of(std::move(fulfilled)), build::name(free_process), result);
 }
 
-/// Corresponds to take_tock: `t` is the second that ends.
+/// Returns the continuation after the second `t`. Corresponds to take_tock.
 Tree Watch::on_tock(std::size_t index, bool broken) const {
     const Obligation& obligation = obligations_[index];
     const std::int64_t last = last_second(obligation);
@@ -458,7 +460,7 @@ Tree Watch::on_tock(std::size_t index, bool broken) const {
     return build::if_(build::all_of(std::move(over)), break_process(), result);
 }
 
-/// The event for the passing of a second while this obligation is open.
+/// Returns the event for the passing of a second while this obligation is open.
 Tree Watch::time_event(std::size_t index) const {
     return build::name(waits_forever(obligations_[index]) ? waiting : "tock");
 }
@@ -520,7 +522,7 @@ bool Watch::reads_measures() const {
     return false;
 }
 
-/// A terminated component has no further steps, but time continues.
+/// Returns the component in parallel with the rule. A terminated component has no further steps, but time continues.
 Tree Watch::parallel_process() const {
     Exprs not_read;  // at first, machines are in no state
     for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(is_state(i) ? 0 : unknown));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides whether a component obeys a rule, with the checker of scripts. A process in parallel with the component
-// nondeterministically selects one trigger and follows its obligation. The component obeys the rule iff no run of both
-// leads to `broken`. The process needs to follow only one obligation at a time, because a rule is broken iff the
-// obligation of some trigger is broken.
+// nondeterministically selects one trigger and follows its obligation. The component obeys the rule iff no run of this
+// combination leads to `broken`. The process needs to follow only one obligation at a time, because a rule is broken
+// iff the obligation of some trigger is broken.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,8 @@ struct LinkedEvent {
     std::vector<cspm::ExprPtr> prefixes;  ///< the same as expressions
 };
 
-/// A measure in the script: a channel with a direction and a value. A state: the channel by which its machine shows the
-/// truth of some facts (csp_emit/showing.hpp).
+/// A measure in the script, as a channel with a direction and a value. A state is linked to the channel by which its
+/// machine shows the truth of some facts (csp_emit/showing.hpp).
 struct LinkedMeasure {
     std::string channel;
     std::vector<std::string> literals = {};  ///< for a scale: the script's constructors, least first
@@ -37,8 +37,8 @@ struct LinkedMeasure {
     std::size_t facts = 0;                   ///< the number of facts that the channel of a state shows
 };
 
-/// The channels of a script for the names of a rule file; no value if the script has no channel for a name. All events
-/// of the rule must be linked. A measure that is not linked may have any value at any time.
+/// The channels of a script for the names of a rule file. A name without a channel has no value. All events of the rule
+/// must be linked. A measure that is not linked may have any value at any time.
 struct Linking {
     std::vector<std::optional<LinkedEvent>> events;
     std::vector<std::optional<LinkedMeasure>> measures;
@@ -53,37 +53,37 @@ struct Asked {
 /// The treatment of a component that reads different values of a measure within one instant.
 enum class Readings : std::uint8_t {
     one_value,  ///< triggers at this instant are ignored, because in SLEEC-TK a measure has one value per instant
-    any,        ///< the last value before the trigger is used; without one, the first after it
+    any,        ///< the last value before the trigger is used, or else the first after it
 };
 
 /// The script for one rule and one component.
 class Watch {
 public:
-    /// `process`: the timed process of the component. Throws NotDecided if this method cannot follow the rule.
+    /// `process` is the timed process of the component. Throws NotDecided if this method cannot follow the rule.
     Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process,
           Readings readings = Readings::one_value);
 
-    /// The channels and processes; their names begin with "sleec_".
+    /// Returns the channels and processes; their names begin with "sleec_".
     [[nodiscard]] std::vector<cspm::DeclPtr> declarations() const;
-    /// An assertion that holds iff no obligation is broken.
+    /// Returns an assertion that holds iff no obligation is broken.
     [[nodiscard]] cspm::DeclPtr obeyed_assertion() const;
-    /// An assertion that fails iff some run leads to one of these cases.
+    /// Returns an assertion that fails iff some run leads to one of these cases.
     [[nodiscard]] cspm::DeclPtr never_asked_assertion(const std::vector<std::size_t>& ways) const;
     /// True if the rule demands an event without limit.
     [[nodiscard]] bool has_demand_without_limit() const;
-    /// Component and rule in parallel. If a second passes while a demand without limit is open, the event is `waiting`
-    /// instead of `tock`. The component obeys the rule iff the rule is never broken and no run contains `waiting`
-    /// infinitely often (endless.hpp).
+    /// Returns the component in parallel with the rule. If a second passes while a demand without limit is open, the
+    /// event is `waiting` instead of `tock`. The component obeys the rule iff the rule is never broken and no run
+    /// contains `waiting` infinitely often (endless.hpp).
     [[nodiscard]] cspm::ExprPtr waiting_process() const;
-    /// Component and rule in parallel, with all their events.
+    /// Returns the component in parallel with the rule, with all their events.
     [[nodiscard]] cspm::ExprPtr checked_process() const { return parallel_process(); }
     static constexpr const char* waiting = "sleec_waiting";
-    /// True if the rule uses a measure that the component reads. States do not count.
+    /// True if the rule uses a measure that the component reads; states are ignored.
     [[nodiscard]] bool reads_measures() const;
 
     [[nodiscard]] const std::vector<Obligation>& obligations() const { return obligations_; }
     [[nodiscard]] const std::vector<Asked>& ways() const { return ways_; }
-    /// The number of the case, if this is the event by which the process reports that it follows an obligation.
+    /// Returns the number of the case, if this is the event by which the process reports that it follows an obligation.
     [[nodiscard]] static std::optional<std::size_t> way_of(const std::string& event);
 
 private:

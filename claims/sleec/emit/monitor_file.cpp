@@ -27,7 +27,7 @@ struct CppNames {
     std::vector<std::vector<std::string>> literals;
 };
 
-/// "goTo_1", "goTo_minus_1", "goTo_other".
+/// Returns the C++ name of a case: "goTo_1", "goTo_minus_1", "goTo_other".
 std::string case_name(const EventCase& event, const std::string& declared) {
     std::string result = declared;
     for (const std::string& value : event.values)
@@ -60,7 +60,7 @@ CppNames names_of(const CheckedRules& rules) {
     return result;
 }
 
-/// Conditions as C++. Parentheses are needed only between different operators.
+/// Writes conditions as C++. Parentheses are needed only between different operators.
 class ConditionText {
 public:
     ConditionText(const CheckedRules& rules, const CppNames& names) : rules_(rules), names_(names) {}
@@ -84,9 +84,9 @@ private:
         return plain && part.op != Op::negation ? condition_text(part) : "(" + condition_text(part) + ")";
     }
 
-    /// Some comparisons are evaluated here. Compilers would warn about comparisons of a measure with itself and of two
-    /// numbers. A comparison of a scale with a number that is none of its literals has the same result for all
-    /// literals.
+    /// Writes a comparison. Some comparisons are already evaluated here: compilers would warn about comparisons of a
+    /// measure with itself and of two numbers, and a comparison of a scale with a number that is none of its literals
+    /// has the same result for all literals.
     [[nodiscard]] std::string comparison_text(const Condition& condition) const {
         const Condition& left = condition.parts[0];
         const Condition& right = condition.parts[1];
@@ -105,7 +105,7 @@ private:
         return rules_.measure(measure.measure).type == MeasureType::scale &&
                (number.value < 0 || number.value >= literals);
     }
-    /// A literal is compared with a measure of its scale.
+    /// Returns an operand of a comparison. A literal is compared with a measure of its scale.
     [[nodiscard]] std::string compared_operand(const Condition& condition, std::size_t side) const {
         const Condition& part = condition.parts[side];
         const Condition& other = condition.parts[1 - side];
@@ -147,7 +147,7 @@ private:
         std::size_t demands = 0, prohibitions = 0, endings = 0;
         std::int64_t seconds = 0;  ///< the time after which the obligation no longer changes
         std::int64_t begin = 0;
-        bool at_once = true;  ///< its only window starts at the trigger
+        bool at_once = true;  ///< true if its only window starts at the trigger
     };
 
     void end(const Way& way) {
@@ -161,7 +161,7 @@ private:
         shape_.open = std::min(shape_.open + open, most_open);
     }
 
-    /// Responses form a tree, so each is visited once.
+    /// Visits a response. Responses form a tree, so each is visited once.
     void visit(const DutyPtr& duty, Way way) {
         for (const CheckedDefeater& defeater : duty->defeaters)
             way.endings += defeater.event ? defeater.event->size() : 0;
@@ -251,7 +251,7 @@ private:
         out_ += "};\n\n";
     }
 
-    /// For each event with arguments, a function from values to the case.
+    /// Writes, for each event with arguments, a function from values to the case.
     void write_case_functions() {
         for (std::size_t declared = 0; declared < rules_.arguments.size(); ++declared) {
             const std::vector<Argument>& arguments = rules_.arguments[declared];
@@ -272,7 +272,7 @@ private:
             out_ += "}\n";
         }
     }
-    /// "": no rule names a value.
+    /// Returns the C++ type of a parameter; "" if no rule names a value.
     static const char* parameter_type(ArgumentKind kind) {
         switch (kind) {
             case ArgumentKind::any:
@@ -286,7 +286,7 @@ private:
         }
         return "";
     }
-    /// Cases with more values come before those with fewer.
+    /// Returns the test for a case. Cases with more values are tested before cases with fewer.
     static std::string case_test(const std::vector<Argument>& arguments, const EventCase& event) {
         std::vector<std::string> tests;
         for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -303,8 +303,8 @@ private:
         return fmt::format("{}", fmt::join(tests, " && "));
     }
 
-    /// The number by which demands refer to an event. For a single case it is the number of the case; a set of several
-    /// cases gets a number after those of all cases.
+    /// Returns the number by which demands refer to an event. A single case has the number of the case. A set of
+    /// several cases gets a number above those of all cases.
     std::size_t number_of(const EventCases& cases) {
         if (cases.size() == 1) return *cases.begin();
         const auto found = std::ranges::find(several_, cases);
@@ -312,8 +312,7 @@ private:
         if (found == several_.end()) several_.push_back(cases);
         return rules_.events.size() + place;
     }
-    /// The generated struct that states which cases a number in a demand stands for; "" if every demand has a single
-    /// case.
+    /// Returns the generated struct that maps a number in a demand to its cases; "" if every demand has a single case.
     [[nodiscard]] std::string cases_text() const {
         if (several_.empty()) return "";
         std::string text =
@@ -330,7 +329,7 @@ private:
                "};\n";
     }
 
-    /// The generated text must not depend on the folder of the rule file.
+    /// Returns the place without its folder, because the generated text must not depend on the folder of the rule file.
     [[nodiscard]] std::string place_text(diagnostics::Span span) const {
         const std::string text = sources_.path_and_line(span);
         return text.substr(text.rfind('/') + 1);
@@ -419,7 +418,7 @@ private:
     }
 
     void write_demand(const Duty& duty, bool open, std::optional<std::size_t> otherwise) {
-        if (duty.to && *duty.to < duty.from) {  // at least 0 seconds: no demand
+        if (duty.to && *duty.to < duty.from) {  // "at least 0 seconds" demands nothing
             out_ += "        return false;\n";
             return;
         }
@@ -437,7 +436,7 @@ private:
     CppNames names_;
     ConditionText conditions_{rules_, names_};
     Shape all_;
-    std::vector<EventCases> several_;  ///< events of demands with several cases
+    std::vector<EventCases> several_;  ///< the events in demands that have several cases
     std::size_t responses_ = 0;
     std::string out_;
 };

@@ -19,12 +19,12 @@ namespace robochart::sleec {
 inline constexpr std::size_t most_open = 256;
 inline constexpr std::size_t most_open_of_file = 4096;
 
-/// A header with all rules except assumptions, and robochart/rules.hpp, which it needs. `path` is the path of the rule
-/// file; the header has its name without folder and extension. Throws NotDecided if a rule has more consecutive
-/// responses than a monitor can follow.
+/// Returns a header with all rules except assumptions, and robochart/rules.hpp, which the header needs. `path` is the
+/// path of the rule file. The name of the header is the name of this file without folder and extension. Throws
+/// NotDecided if a rule has more consecutive responses than a monitor can follow.
 [[nodiscard]] std::vector<cpp_emit::OutputFile> monitor_files(const CheckedRules& rules, const std::string& path,
                                                               const diagnostics::SourceManager& sources, WithoutLimit);
-/// "care" for "rules/care.sleec", converted to an identifier.
+/// Returns the name of the file as an identifier: "care" for "rules/care.sleec".
 [[nodiscard]] std::string monitor_name(const std::string& path);
 
 }  // namespace robochart::sleec

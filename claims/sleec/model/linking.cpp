@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// The name in the model: the one given by `map`, without the component.
+    /// Returns the name in the model, which `map` may give. The component in this name is removed.
     [[nodiscard]] std::string model_name(const std::string& name) const {
         for (const Mapping& mapping : rules_.file->mappings)
             if (mapping.name.text == name) return mapping.element.text.substr(mapping.element.text.rfind(':') + 1);
@@ -88,7 +88,7 @@ private:
             if (rules_.events[i].declared == declared) result_.missing_events[i] = why;
     }
 
-    /// The reason why the arguments in the rules do not fit the event; "" if they do.
+    /// Returns the reason why the arguments in the rules do not fit the event; "" if they do.
     [[nodiscard]] std::string arguments_mismatch(std::size_t declared, const std::string& model,
                                                  const std::vector<ir::TypeId>& types) const {
         const std::vector<Argument>& arguments = rules_.arguments[declared];
@@ -119,8 +119,8 @@ private:
         return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
     }
 
-    /// If no rule names values of the event, the event is linked to its whole channel. Otherwise each case is linked to
-    /// the letters with its values.
+    /// Links an event. If no rule names values of the event, it is linked to its whole channel. Otherwise, each case is
+    /// linked to the letters with its values.
     void link_cases(std::size_t declared, const std::string& channel, const std::string& model) {
         const bool whole = std::ranges::all_of(rules_.arguments[declared],
                                                [](const Argument& argument) { return argument.values.empty(); });
@@ -149,7 +149,7 @@ private:
         }
     }
 
-    /// The events of the script with this name, one for each combination of values.
+    /// Returns the events of the script with this name, one for each combination of values.
     [[nodiscard]] std::vector<claims::Letter> letters_of(const std::string& model) {
         visible_.remembered.clear();
         for (std::size_t i = 0; i < visible_.component.channels.size(); ++i)
@@ -157,7 +157,7 @@ private:
         return claims::letters_of(visible_, system_, instantiation_, {});
     }
 
-    /// The values of the letter, as texts.
+    /// Returns the values of the letter as texts.
     [[nodiscard]] std::vector<std::string> texts_of(const claims::Letter& letter) const {
         const claims::Channel& channel = visible_.component.channels[letter.occurrence.channel];
         std::vector<std::string> result;
@@ -223,7 +223,7 @@ private:
         result_.linking.measures.push_back(std::move(linked));
     }
 
-    /// The reason why the model's type does not fit; "" if it does.
+    /// Returns the reason why the model's type does not fit; "" if it does.
     [[nodiscard]] std::string type_mismatch(const Measure& measure, const ir::Type& type, LinkedMeasure& linked) const {
         const std::string wrong = fmt::format("'{}' has the type {} in the model", measure.name.text, type.name);
         if (measure.type == MeasureType::boolean) return type.kind == ir::TypeKind::boolean ? "" : wrong;

@@ -13,8 +13,8 @@ RuleMonitor::RuleMonitor(const CheckedRules& rules, WithoutLimit without) : rule
 
 namespace {
 
-/// The possible obligations of the rule for these values, each with a valuation. An unknown measure takes each of the
-/// values that the rule distinguishes.
+/// Returns the possible obligations of the rule for these values, each with a valuation. An unknown measure takes each
+/// of the values that the rule distinguishes.
 std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const CheckedRules& rules, std::size_t rule,
                                                                       const MeasureReadings& readings,
                                                                       WithoutLimit without) {
@@ -85,7 +85,7 @@ void RuleMonitor::update_open(Open open, Effect effect, std::optional<std::size_
         violations_.push_back({open.rule, open.began, std::move(open.values), std::move(open.obligation), event, now_});
 }
 
-/// If several duties of a rule are equal from now on, only the oldest is stored.
+/// Adds a duty. If several duties of a rule are equal from now on, stores only the oldest.
 void RuleMonitor::keep_distinct(Open open, std::vector<Open>& open_now) const {
     const bool known = std::ranges::any_of(open_now, [&](const Open& other) {
         return other.rule == open.rule && other.progress == open.progress && other.obligation == open.obligation;

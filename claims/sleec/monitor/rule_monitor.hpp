@@ -25,25 +25,25 @@ struct Violation {
 /// A value for each measure of the file; no value: unknown.
 using MeasureReadings = std::vector<std::optional<std::int64_t>>;
 
-/// All rules of a file except its assumptions. Memory is bounded by the limits of the rules. Throws NotDecided if a
-/// rule has too many alternatives.
+/// Monitors all rules of a file except its assumptions. Memory is bounded by the limits of the rules. The constructor
+/// throws NotDecided if a rule has too many alternatives.
 class RuleMonitor {
 public:
     RuleMonitor(const CheckedRules& rules, WithoutLimit without);
 
-    /// An event with the known values of the measures. A trigger is not followed if the rule's demand depends on
-    /// unknown values; `open_triggers` then contains the rule.
+    /// Observes an event with the known values of the measures. If a rule's demand depends on unknown values, its
+    /// trigger is not followed, and `open_triggers` contains the rule.
     void observe_event(std::size_t event, const MeasureReadings& values);
     /// Ends the current second and begins the next.
     void end_second();
     /// Returns the violations since the last call.
     [[nodiscard]] std::vector<Violation> take_violations();
-    /// The rules with a trigger that was not followed, without duplicates.
+    /// Returns the rules with a trigger that was not followed, without duplicates.
     [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return open_triggers_; }
     /// Drops all open obligations, because the events in between are unknown.
     void drop_obligations() { open_.clear(); }
     [[nodiscard]] std::int64_t current_second() const { return now_; }
-    /// The open duties, with their progress.
+    /// Returns the open duties with their progress.
     [[nodiscard]] std::vector<std::pair<Obligation, Progress>> open_duties() const;
 
 private:

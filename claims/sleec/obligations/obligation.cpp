@@ -18,7 +18,7 @@ public:
         std::int64_t begin = 0;
         while (at) {
             if (at->measured) throw NotDecided("a measure decides a limit of time");
-            if (at->to && *at->to < at->from) return std::nullopt;  // a demand with at least 0 seconds is no demand
+            if (at->to && *at->to < at->from) return std::nullopt;  // "at least 0 seconds" demands nothing
             const bool open = !at->to && without_ == WithoutLimit::eventually;
             const std::int64_t length = at->to.value_or(0);
             result_.any.push_back(
@@ -27,7 +27,7 @@ public:
             begin += length;
             at = in_force(at->otherwise);
         }
-        return std::nullopt;  // no demand is left in the end, so the obligation is always fulfilled
+        return std::nullopt;  // the last part demands nothing, so the obligation is always fulfilled
     }
 
 private:
@@ -68,7 +68,7 @@ bool is_covered(Window window, std::vector<Window> by) {
     return window.begin > window.end;
 }
 
-/// The windows in which the obligation demands an event.
+/// Returns the windows in which the obligation demands an event.
 std::vector<Window> demand_windows(const Obligation& obligation, std::size_t event) {
     std::vector<Window> result;
     for (const Demand& demand : obligation.any)
@@ -104,11 +104,12 @@ std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation
     return obligation_of(rule.duty, values, without);
 }
 
-/// A disjunction implies another iff each of its parts does. "E occurs at a second of W" implies the other iff each
-/// second of W is in a window in which the other demands E. "E does not occur in W" implies the other iff the other
-/// forbids E in a window that is covered by W and the windows in which the other demands E. (Otherwise there is a
-/// history in which the part is true, no demanded event of the other occurs in its window, and each forbidden one
-/// does.) If several events may fulfil a demand, or are forbidden, this has to be true for each of them.
+/// A disjunction implies another one iff each of its parts does. The part "E occurs at a second of W" implies the other
+/// disjunction iff each second of W is in a window in which the other demands E. The part "E does not occur in W"
+/// implies the other disjunction iff the other forbids E in a window that is covered by W and the windows in which the
+/// other demands E. (Otherwise there is a history in which the part is true, no demanded event of the other occurs in
+/// its window, and each forbidden one does.) If several events may fulfil a demand, or are forbidden, this has to be
+/// true for each of them.
 bool implies(const Obligation& stronger, const Obligation& weaker) {
     if (always_fulfilled(weaker)) return true;
     for (const std::size_t event : stronger.ended_by)

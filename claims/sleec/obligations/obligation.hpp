@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The demands of a trigger after all conditions are decided: a disjunction of demands that an event occurs, or does not
-// occur, in a window of time. docs/rules-language.md, "What rules mean".
+// Defines the obligation that a trigger opens after all conditions are decided. It is a disjunction of demands that an
+// event occurs, or does not occur, in a window of time (docs/rules-language.md, "What rules mean").
 #pragma once
 
 #include <cstdint>
@@ -45,8 +45,8 @@ struct Obligation {
     friend bool operator==(const Obligation&, const Obligation&) = default;
 };
 
-/// The obligation that a trigger with these values opens. No value if the condition is false or no duty is left. Throws
-/// NotDecided if a measure determines a limit.
+/// Returns the obligation that a trigger with these values opens. Returns no value if the condition is false or no duty
+/// is left. Throws NotDecided if a measure determines a limit.
 [[nodiscard]] std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation& values, WithoutLimit);
 /// Returns the obligation that a single duty opens.
 [[nodiscard]] std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit);
@@ -55,8 +55,8 @@ struct Obligation {
 /// does not occur in a part of this window.
 [[nodiscard]] bool always_fulfilled(const Obligation& obligation);
 /// True if every history that fulfils `stronger`, opened at some instant, fulfils `weaker`, opened at the same instant.
-/// Events are considered independent, so the answer may be false although it should be true if the demanded event is
-/// the rule's own trigger.
+/// Events are considered independent. So the answer may be false instead of true if the demanded event is the rule's
+/// own trigger.
 [[nodiscard]] bool implies(const Obligation& stronger, const Obligation& weaker);
 
 }  // namespace robochart::sleec

@@ -7,7 +7,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// After this second, only windows without end can still change.
+/// Returns the second after which only windows without end can still change.
 std::int64_t horizon(const Obligation& obligation) {
     std::int64_t last = 0;
     for (const Demand& demand : obligation.any)

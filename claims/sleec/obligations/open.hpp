@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An open obligation, and the effects of events and seconds on it.
+// Applies events and seconds to open obligations.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ inline constexpr std::size_t most_demands = 15;
 [[nodiscard]] Effect take_tock(const Obligation& obligation, Progress& progress);
 
 /// Returns the demands of which one must be fulfilled at this instant to keep the obligation from being broken. The
-/// result is empty if the obligation cannot be broken now. A demand without limit counts if `never_again` returns true,
-/// which means that its event is forbidden forever.
+/// result is empty if the obligation cannot be broken now. A demand without limit is included if `never_again` returns
+/// true, which means that its event is forbidden forever.
 template <class NeverAgain>
 std::vector<const Demand*> due_now(const Obligation& obligation, const Progress& progress,
                                    const NeverAgain& never_again);

@@ -43,7 +43,7 @@ bool has_measure(const Condition& condition) {
 
 /// The comparisons of numbers.
 struct Comparisons {
-    std::vector<std::set<std::int64_t>> constants;  ///< for each measure
+    std::vector<std::set<std::int64_t>> constants;  ///< index: the measure
     std::set<std::size_t> together;                 ///< measures compared with other measures
 };
 
@@ -63,7 +63,8 @@ void note_comparisons(const Condition& condition, Comparisons& result) {
     }
 }
 
-/// Values between and around these constants, `count` values in each interval that contains so many.
+/// Returns values between and around these constants: `count` values in each interval, or all values of a smaller
+/// interval.
 std::vector<std::int64_t> values_around(const std::set<std::int64_t>& constants, std::int64_t count) {
     if (constants.empty()) {
         std::vector<std::int64_t> any;
@@ -148,9 +149,9 @@ bool compares_measures(const CheckedRule& rule) {
     return found;
 }
 
-/// For integers, a valuation is characterised by the position of each number relative to the constants, and by the
-/// order of numbers that are compared with each other. Between two constants, n numbers have at most n different
-/// values, so n values are sufficient.
+/// Returns representative values of each measure. A valuation of integers is characterised by the position of each
+/// number relative to the constants, and by the order of numbers that are compared with each other. Between two
+/// constants, n numbers have at most n different values, so n values are sufficient.
 std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules& rules,
                                                              const std::vector<std::size_t>& rule_numbers) {
     const std::vector<Measure>& measures = rules.measures;

@@ -19,7 +19,7 @@ using cspm::DeclPtr;
 using cspm::ExprKind;
 using Tree = cspm::ExprPtr;
 
-/// The measures in textual order, once for each mention.
+/// Collects the measures in textual order, once for each mention.
 void collect_mentions(const Condition& condition, std::vector<std::size_t>& result) {
     if (condition.op == Op::name) result.push_back(condition.measure);
     for (const Condition& part : condition.parts) collect_mentions(part, result);
@@ -63,7 +63,7 @@ ExprKind kind_of(Op op) {
     return ExprKind::not_equal;
 }
 
-/// All names of timing events are reserved; names of rule events have a prefix.
+/// Names of timing events cannot clash with names of rule events, which have a prefix.
 constexpr const char* tock = "tock";
 constexpr const char* other_tock = "tock'";
 
@@ -114,7 +114,8 @@ bool Encoding::on_scale(const Condition& condition) const {
     return condition.op == Op::name && rules_.measure(condition.measure).type == MeasureType::scale;
 }
 
-/// Values of a scale are indices. SLEEC-TK reads `>=` with a measure on a scale as `>`, which is a fault.
+/// Returns the condition as an expression, in which values of a scale are indices. SLEEC-TK reads `>=` with a measure
+/// on a scale as `>`, which is a fault.
 Tree Encoding::condition_expression(const Condition& condition) const {
     switch (condition.op) {
         case Op::truth:
@@ -146,7 +147,7 @@ Tree Encoding::condition_expression(const Condition& condition) const {
     return build::binary(kind, condition_expression(condition.parts[0]), condition_expression(condition.parts[1]));
 }
 
-/// The measures are read without delay, in textual order, once for each mention.
+/// Reads the measures without delay, in textual order, once for each mention.
 Tree Encoding::read_measures(const std::vector<const Condition*>& conditions, Tree then) const {
     std::vector<std::size_t> order;
     for (const Condition* condition : conditions) collect_mentions(*condition, order);
@@ -160,7 +161,7 @@ Tree Encoding::read_measures(const std::vector<const Condition*>& conditions, Tr
 
 // ---------------------------------------------------------------- rules
 
-/// `e -> reading -> if c then SKIP else again`; the events of the response are always allowed meanwhile.
+/// Returns `e -> reading -> if c then SKIP else again`. The events of the response are always allowed meanwhile.
 Tree Encoding::trigger_process(const CheckedRule& rule, const std::string& self) const {
     const Tree again = build::name(self);
     Tree then = build::skip();
@@ -173,8 +174,9 @@ Tree Encoding::trigger_process(const CheckedRule& rule, const std::string& self)
     return build::choice(std::move(choices));
 }
 
-/// `E`: no limit. `E within d`: at 0 to d, then time stops. `not E within d`: d units in which E is refused. `E within
-/// d otherwise r`: before d units; at d the rule continues as r. Defeaters of a response inside a defeater are dropped.
+/// Returns the process of a response. `E` has no limit. After `E within d`, E occurs at 0 to d, or time stops. After
+/// `not E within d`, E is refused for d units. After `E within d otherwise r`, E occurs before d units, or the rule
+/// continues as r at d. Defeaters of a response inside a defeater are dropped.
 Tree Encoding::response_process(const DutyPtr& duty) const {
     if (duty->measured) throw NotDecided("SLEEC-TK has no limits that a measure decides");
     if (duty->written->limit && duty->written->limit->from) throw NotDecided("SLEEC-TK has no intervals of time");
@@ -219,7 +221,7 @@ std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_
     const Tree stop = build::call(name("TimeStops"));
     const Tree tocks = build::set({build::name(tock)});
     Decls result{build::value(name("TimeStops"), build::stop())};
-    // Before(P, d, Q): P may begin before d units; at d it behaves as Q.
+    // In Before(P, d, Q), P may begin before d units; at d, the process behaves as Q.
     result.push_back(build::function_decl(
         name("Before"), build::variables({"P", "d", "Q"}),
         build::let_({build::function_decl(
@@ -284,7 +286,7 @@ Tree Encoding::event_set(const std::vector<std::size_t>& events) const {
     return build::set(std::move(items));
 }
 
-/// The rules in parallel, synchronised on their common events. Each rule reads the measures separately, from an
+/// Returns the rules in parallel, synchronised on their common events. Each rule reads the measures separately, from an
 /// environment that keeps the first value forever. A missed deadline is a deadlock. A state in which only time passes
 /// diverges after time is hidden, because all other events have priority over time.
 std::vector<DeclPtr> Encoding::conflict_declarations(std::size_t first, std::size_t second) const {
@@ -325,9 +327,9 @@ std::vector<DeclPtr> Encoding::conflict_declarations(std::size_t first, std::siz
     return result;
 }
 
-/// Each unit of time begins with one reading of every measure. Then the measures keep these values, and the events of
-/// both rules may occur. SLEEC-TK reads them one after another in a fixed order. This encoding reads them in a single
-/// event, which is equivalent.
+/// Returns the memory of the measures. Each unit of time begins with one reading of every measure. Then the measures
+/// keep these values, and the events of both rules may occur. SLEEC-TK reads the measures one after another in a fixed
+/// order. This encoding reads them in a single event, which is equivalent.
 std::vector<DeclPtr> Encoding::memory_declarations(std::size_t first, std::size_t second,
                                                    const std::string& called) const {
     const std::vector<std::size_t> measures = measures_of_pair(first, second);
@@ -369,7 +371,7 @@ std::vector<DeclPtr> Encoding::memory_declarations(std::size_t first, std::size_
     return result;
 }
 
-/// The rule in parallel with the memory, from which it reads by hidden events.
+/// Returns the rule in parallel with the memory, from which the rule reads by hidden events.
 DeclPtr Encoding::with_memory(std::size_t rule, std::size_t other, const std::string& memory,
                               const std::string& called) const {
     std::vector<cspm::Link> links;

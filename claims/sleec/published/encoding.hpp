@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// SLEEC-TK's semantics of rules, as processes of tock-CSP (arXiv 2307.03697; docs/rules-language.md, "The semantics of
-// SLEEC-TK"), including its faults: an active rule refuses its trigger, `>=` on a scale is `>`, defeaters inside
-// defeaters are dropped, and the measures are constant during the search for conflicts.
+// Encodes rules in SLEEC-TK's semantics, as processes of tock-CSP (arXiv 2307.03697; docs/rules-language.md, "The
+// semantics of SLEEC-TK"). The encoding includes the faults of this semantics: an active rule refuses its trigger, `>=`
+// on a scale is `>`, defeaters inside defeaters are dropped, and the measures are constant during the search for
+// conflicts.
 #pragma once
 
 #include <string>
@@ -18,33 +19,35 @@ struct EncodingNames {
     std::string suffix;         ///< the suffix of names of processes
 };
 
-/// Rules as a script. Throws NotDecided for constructs that SLEEC-TK rejects.
+/// Encodes rules as a script. Throws NotDecided for constructs that SLEEC-TK rejects.
 class Encoding {
 public:
     explicit Encoding(const CheckedRules& rules, EncodingNames names = {});
 
-    /// The channels of events, measures and time.
+    /// Returns the channels of events, measures and time.
     [[nodiscard]] std::vector<cspm::DeclPtr> channel_declarations() const;
-    /// The timing operators, and the process of each of these rules.
+    /// Returns the timing operators, and the process of each of these rules.
     [[nodiscard]] std::vector<cspm::DeclPtr> process_declarations(const std::vector<std::size_t>& rule_numbers) const;
-    /// The name of a rule's process, in which events have priority over time.
+    /// Returns the name of a rule's process, in which events have priority over time.
     [[nodiscard]] std::string process_name(std::size_t rule) const;
 
-    /// True if two rules have a name in common; only then does SLEEC-TK compare them.
+    /// True if two rules have a name in common. SLEEC-TK compares only such rules.
     [[nodiscard]] bool are_related(std::size_t first, std::size_t second) const;
-    /// The declarations for a pair, with four assertions in this order: no missed deadline; no state in which only time
-    /// passes; the first rule is redundant under the second; the second under the first.
+    /// Returns the declarations for a pair, with four assertions in this order: there is no missed deadline; there is
+    /// no state in which only time passes; the second rule makes the first redundant; the first makes the second
+    /// redundant.
     [[nodiscard]] std::vector<cspm::DeclPtr> pair_declarations(std::size_t first, std::size_t second) const;
-    /// The whole script for these pairs.
+    /// Returns the whole script for these pairs.
     [[nodiscard]] cspm::Script make_script(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const;
 
-    /// The values of a measure: truth values, indices, or the constants that it is compared with and their neighbours.
+    /// Returns the values of a measure: truth values, indices, or the constants with which it is compared and their
+    /// neighbours.
     [[nodiscard]] const std::vector<std::int64_t>& measure_values(std::size_t measure) const {
         return values_[measure];
     }
 
 private:
-    /// Throws NotDecided if the rule has an extension that SLEEC-TK has no names for.
+    /// Throws NotDecided if the rule has an extension that SLEEC-TK does not have.
     void require_published(std::size_t rule) const;
     [[nodiscard]] std::string event_name(std::size_t event) const;
     [[nodiscard]] std::string measure_name(std::size_t measure) const;

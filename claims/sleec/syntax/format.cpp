@@ -14,14 +14,14 @@
 namespace robochart::sleec {
 namespace {
 
-/// In a longer rule, each alternative and each defeater is on a separate line.
+/// In a rule longer than this, each alternative and each defeater is on a separate line.
 constexpr std::size_t longest_line = 120;
 
 bool is_block_word(std::string_view word) {
     return word.ends_with("_start") || word.ends_with("_end");
 }
 
-/// `before`: the token before `left`.
+/// True if no blank separates `left` and `right`. `before` is the token before `left`.
 bool no_blank_between(const Token& before, const Token& left, const Token& right) {
     return words::is_one_of(left, {"(", "{", "[", "::"}) || words::is_one_of(right, {")", "}", "]", ",", "::"}) ||
            (left.text == "scale" && right.text == "(") ||
@@ -29,7 +29,7 @@ bool no_blank_between(const Token& before, const Token& left, const Token& right
            (left.text == "-" && words::is_one_of(before, {"(", ","}));
 }
 
-/// An item is a definition, a rule, or a keyword that begins or ends a block.
+/// The layout of SLEEC files. An item is a definition, a rule, or a keyword that begins or ends a block.
 class Layout final : public words::ItemLayout {
 public:
     Layout(std::string_view text, const std::vector<Token>& tokens, const RuleFile& file) : ItemLayout(text, tokens) {
@@ -63,7 +63,7 @@ private:
         return line;
     }
 
-    /// `between`: written before alternatives and defeaters.
+    /// Joins tokens. `between` is written before alternatives and defeaters.
     [[nodiscard]] std::string join_tokens(std::size_t from, std::size_t to, const std::string& between) const {
         const std::string fresh = "\n" + std::string(inside_ ? 8 : 4, ' ');
         std::string result;
@@ -89,8 +89,8 @@ private:
         return result;
     }
 
-    std::set<std::uint32_t> begins_, mapped_;  ///< where rules and properties begin; names after `map`
-    bool inside_ = false;                      ///< inside a block
+    std::set<std::uint32_t> begins_, mapped_;  ///< starts of rules and properties; names after `map`
+    bool inside_ = false;                      ///< true inside a block
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standard layout of SLEEC files (docs/format.md, "Rules in SLEEC"). Only blanks and line ends change; tokens and
-// comments are not changed.
+// Formats SLEEC files in the standard layout (docs/format.md, "Rules in SLEEC"). Only blanks and line ends change, not
+// tokens and comments.
 #pragma once
 
 #include <optional>

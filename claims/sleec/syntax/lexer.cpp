@@ -13,7 +13,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// Longest first.
+/// The symbols, longest first.
 constexpr std::array<std::string_view, 18> symbols{"::", "<=", ">=", "<>", "{", "}", "(", ")", "[",
                                                    "]",  ",",  ":",  "=",  "<", ">", "+", "-", "*"};
 

@@ -12,14 +12,14 @@ namespace robochart::sleec {
 using words::Tok;
 using words::Token;
 
-/// All tokens of a text, on request including comments; the last is `end`. Invalid pieces are reported and skipped.
+/// Returns all tokens of a text, on request including comments; the last is `end`. Reports and skips invalid pieces.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&,
                                      bool comments = false);
 
 /// True for a keyword of both dialects, which cannot be a name.
 [[nodiscard]] bool is_reserved(std::string_view word);
 
-/// All words with a meaning in a dialect or an extension; those that are not reserved may also be names.
+/// Returns all words with a meaning in a dialect or an extension. Words that are not reserved may also be names.
 [[nodiscard]] std::vector<std::string_view> language_words();
 
 }  // namespace robochart::sleec

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions. See parser.hpp.
+// Parses conditions. See parser.hpp.
 #include "claims/sleec/syntax/parser.hpp"
 #include "claims/sleec/syntax/printer.hpp"
 #include "claims/sleec/syntax/rules.hpp"
@@ -21,8 +21,8 @@ ExprPtr Parser::make_node(Op op, Span from, std::vector<ExprPtr> parts) {
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// A chain of operators becomes a left-deep tree. Traversals of the tree recurse as deep as the chain is long, so the
-/// length is limited.
+/// Parses a condition. A chain of operators becomes a left-deep tree, whose depth is the length of the chain.
+/// Traversals recurse this deep, so the length is limited.
 ExprPtr Parser::parse_condition() {
     const Depth depth(*this);
     const Span from = peek().span;
@@ -55,7 +55,7 @@ void Parser::warn_mixed(const ExprPtr& whole) {
     finding.fixes.push_back({{inner.source, inner.end, inner.end}, ")", "write the parentheses"});
 }
 
-/// `not` applies to one comparison.
+/// Parses an operand of `and` and `or`. `not` applies to one comparison.
 ExprPtr Parser::parse_term() {
     const Depth depth(*this);
     if (!is_at("not")) return parse_relation();

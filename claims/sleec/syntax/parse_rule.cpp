@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules, their triggers and responses. See parser.hpp.
+// Parses rules, their triggers and responses. See parser.hpp.
 #include <utility>
 
 #include "claims/sleec/syntax/parser.hpp"
@@ -56,7 +56,7 @@ Rule Parser::at_least_rule(Rule rule) {
     return rule;
 }
 
-/// `NAME when E and c then R`, `NAME exists E and c [while F and d]` or `NAME exists E and c while R`.
+/// Parses `NAME when E and c then R`, `NAME exists E and c [while F and d]` or `NAME exists E and c while R`.
 Property Parser::parse_property(bool concern) {
     Property result;
     result.span = peek().span;
@@ -91,7 +91,7 @@ Trigger Parser::parse_trigger() {
     return result;
 }
 
-/// `EVENT [(value, ...)]`.
+/// Parses `EVENT [(value, ...)]`.
 EventName Parser::parse_event() {
     EventName result{simple_name("the name of an event"), std::nullopt};
     const Span from = peek().span;
@@ -104,7 +104,7 @@ EventName Parser::parse_event() {
     return result;
 }
 
-/// A number, `true`, `false`, a constant, a literal of the model, or `_`.
+/// Parses a number, `true`, `false`, a constant, a literal of the model, or `_`.
 ExprPtr Parser::parse_argument() {
     Expr expr;
     const Span from = peek().span;
@@ -124,7 +124,7 @@ ExprPtr Parser::parse_argument() {
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// `action [otherwise inner] {unless condition [then inner]}`.
+/// Parses `action [otherwise inner] {unless condition [then inner]}`.
 ResponsePtr Parser::parse_response() {
     const Depth depth(*this);
     Response result = parse_action();
@@ -159,7 +159,7 @@ ResponsePtr Parser::parse_inner_response() {
     return std::make_shared<const Response>(std::move(result));
 }
 
-/// `[not] EVENT [eventually | within ...]`.
+/// Parses `[not] EVENT [eventually | within ...]`.
 Response Parser::parse_action() {
     Response result;
     result.span = peek().span;
@@ -190,7 +190,7 @@ Limit Parser::parse_limit() {
     return parse_duration(expect("within"));
 }
 
-/// `N unit`, `[A, B] unit` or `[A unit, B unit]`.
+/// Parses `N unit`, `[A, B] unit` or `[A unit, B unit]`.
 Limit Parser::parse_duration(Span from) {
     Limit result;
     if (is_at("[")) {
@@ -217,7 +217,7 @@ Unit Parser::parse_unit() {
     fail("a unit of time ('seconds', 'minutes', 'hours' or 'days')", {"seconds", "minutes", "hours", "days"});
 }
 
-/// A number, the name of a constant, or, in parentheses, an expression of these and measures.
+/// Parses a number, the name of a constant, or a parenthesised expression with numbers, constants and measures.
 ExprPtr Parser::parse_time() {
     if (is_at("(")) {
         const ExprPtr computed = parse_primary();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens, blocks and definitions. See parser.hpp.
+// Parses tokens, blocks and definitions. See parser.hpp.
 #include "claims/sleec/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -91,7 +91,7 @@ void Parser::report_extension(Span span, std::string_view what) {
     diagnostics_.report(rules::extension, span, {std::string(what)});
 }
 
-/// Many rules of a file name values and states.
+/// Reports only the first use of an extension, because many rules of a file may name values and states.
 void Parser::report_first_extension(Span span, const std::string& what) {
     if (reported_.insert(what).second) report_extension(span, what);
 }
@@ -176,7 +176,7 @@ void Parser::parse_definition(RuleFile& file) {
     fail("a definition or 'def_end'", {"event", "measure", "constant", "map", "def_end"});
 }
 
-/// `measure m : boolean | numeric | scale(a, b, ...)`.
+/// Parses `measure m : boolean | numeric | scale(a, b, ...)`.
 Measure Parser::parse_measure() {
     Measure result;
     expect("measure");
@@ -196,7 +196,7 @@ Measure Parser::parse_measure() {
     return result;
 }
 
-/// `constant C = 5`, or another constant.
+/// Parses `constant C = 5`; the value may also be another constant.
 Constant Parser::parse_constant() {
     Constant result;
     expect("constant");
@@ -206,7 +206,7 @@ Constant Parser::parse_constant() {
     return result;
 }
 
-/// `map EVENT to Module::event`.
+/// Parses `map EVENT to Module::event`.
 Mapping Parser::parse_mapping() {
     Mapping result;
     const Span from = expect("map");

@@ -17,7 +17,7 @@
 
 namespace robochart::sleec {
 
-/// The advice for syntax errors about common wrong forms: all rows, for tests.
+/// Returns the advice for syntax errors about common wrong forms (all rows, for tests).
 [[nodiscard]] std::span<const diagnostics::Advice> syntax_advice();
 
 /// Parses tokens. After a mistake, it reports one finding and continues at the next rule or definition.
@@ -66,8 +66,8 @@ private:
     Trigger parse_trigger();
     EventName parse_event();
     ExprPtr parse_argument();
-    ResponsePtr parse_response();        ///< including its defeaters
-    ResponsePtr parse_inner_response();  ///< without defeaters, unless it is in braces
+    ResponsePtr parse_response();        ///< parses the defeaters, too
+    ResponsePtr parse_inner_response();  ///< parses no defeaters, unless the response is in braces
     Response parse_action();
     void parse_alternative(Response& response);
     Limit parse_limit();

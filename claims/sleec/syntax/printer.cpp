@@ -7,7 +7,7 @@
 namespace robochart::sleec {
 namespace {
 
-/// The precedence of an operator.
+/// Returns the precedence of an operator.
 int precedence_of(Op op) {
     if (op == Op::disjunction || op == Op::conjunction) return 0;
     if (op == Op::negation) return 1;
@@ -20,15 +20,15 @@ std::string operand_text(const ExprPtr& expr, bool bracketed) {
     return bracketed ? fmt::format("({})", print(expr)) : print(expr);
 }
 
-/// A left operand of the same level needs no parentheses. The printer adds them if one of the operators is `and` and
-/// the other `or`, because people misread `c or a and b`.
+/// True if a left operand needs parentheses. An operand of the same level needs none, but the printer adds them if one
+/// of the operators is `and` and the other `or`, because people misread `c or a and b`.
 bool left_bracketed(const Expr& outer, const Expr& left) {
     return precedence_of(left.op) < precedence_of(outer.op) ||
            (precedence_of(outer.op) == 0 && precedence_of(left.op) == 0 && left.op != outer.op) ||
            (is_comparison(outer.op) && is_comparison(left.op));
 }
 
-/// A number or a name; any other expression in parentheses.
+/// Prints a number or a name; any other expression in parentheses.
 std::string time_text(const ExprPtr& time) {
     return operand_text(time, !time->parts.empty() || time->braced);
 }

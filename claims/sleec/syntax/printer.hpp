@@ -8,13 +8,13 @@
 
 namespace robochart::sleec {
 
-/// A rule on one line, without its name.
+/// Prints a rule on one line, without its name.
 [[nodiscard]] std::string print(const Rule& rule);
-/// An event with its arguments.
+/// Prints an event with its arguments.
 [[nodiscard]] std::string print(const EventName& event);
-/// A condition; if it contains both `and` and `or`, parentheses show their order.
+/// Prints a condition. If it contains both `and` and `or`, parentheses show their order.
 [[nodiscard]] std::string print(const ExprPtr& expr);
-/// A response on one line.
+/// Prints a response on one line.
 [[nodiscard]] std::string print(const ResponsePtr& response);
 
 }  // namespace robochart::sleec

@@ -7,7 +7,7 @@
 
 namespace robochart::sleec {
 
-/// The rules of a text. If there are errors, the result contains the parts that could be parsed.
+/// Returns the rules of a text. If there are errors, the result contains the parts that could be parsed.
 [[nodiscard]] RuleFile read(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
 }  // namespace robochart::sleec

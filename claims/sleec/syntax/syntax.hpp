@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax tree of SLEEC: the dialects of SLEEC-TK and of LEGOS, and the extensions of this tool. Plain data, made by
-// the parser (reader.hpp) and written by the printer (printer.hpp). docs/rules-language.md contains the grammar.
+// Defines the syntax tree of SLEEC: the dialects of SLEEC-TK and of LEGOS, and the extensions of this tool. The parser
+// (reader.hpp) makes the tree, and the printer (printer.hpp) writes it. docs/rules-language.md contains the grammar.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ using words::Name;
 struct Expr;
 using ExprPtr = std::shared_ptr<const Expr>;
 
-/// An event in a rule. Extension: with arguments, `goTo(1)`; `_` is any value.
+/// An event in a rule. As an extension, it may have arguments, as in `goTo(1)`; `_` is any value.
 struct EventName : Name {
-    std::optional<std::vector<ExprPtr>> arguments;  ///< no value: no parentheses; numbers and names
+    std::optional<std::vector<ExprPtr>> arguments;  ///< numbers and names; no value if there are no parentheses
 };
 
 /// The tool that defines a dialect: SLEEC-TK (with a tock-CSP semantics), or LEGOS.
 enum class Dialect : std::uint8_t { sleec_tk, legos };
-/// "SLEEC-TK", "LEGOS".
+/// Returns "SLEEC-TK" or "LEGOS".
 [[nodiscard]] const char* dialect_name(Dialect dialect);
 
 /// The kind of an expression. `Expr::parts` contains its operands in textual order.
@@ -49,9 +49,9 @@ enum class Op : std::uint8_t {
     subtract,
     multiply,
 };
-/// "or", "<=", ...; "" for kinds without an operator.
+/// Returns "or", "<=", ...; "" for kinds without an operator.
 [[nodiscard]] const char* symbol_of(Op op);
-/// <, <=, >, >=, =, <>.
+/// True for <, <=, >, >=, =, <>.
 [[nodiscard]] bool is_comparison(Op op);
 
 /// A condition or a value.
@@ -64,12 +64,13 @@ struct Expr {
     bool bracketed = false;  ///< the expression is in parentheses
 };
 enum class Unit : std::uint8_t { seconds, minutes, hours, days };
-/// "seconds", ...
+/// Returns "seconds", ...
 [[nodiscard]] const char* unit_name(Unit unit);
-/// The number of seconds of a unit.
+/// Returns the number of seconds of a unit.
 [[nodiscard]] std::int64_t seconds_of(Unit unit);
 
-/// `within N unit`, in LEGOS also `within [A, B] unit`, `within [A unit, B unit]` and `within (EXPRESSION) unit`.
+/// A limit: `within N unit`, in LEGOS also `within [A, B] unit`, `within [A unit, B unit]` and `within (EXPRESSION)
+/// unit`.
 struct Limit {
     ExprPtr from;  ///< null: 0
     ExprPtr to;
@@ -86,7 +87,7 @@ using ResponsePtr = std::shared_ptr<const Response>;
 struct Defeater {
     ExprPtr condition;               ///< null if `event` has a value
     std::optional<EventName> event;  ///< an event with arguments; a single name is a condition until it is resolved
-    ResponsePtr response;            ///< null: no duty is left
+    ResponsePtr response;            ///< null if no duty is left
     Span span;
 };
 
@@ -94,9 +95,9 @@ struct Defeater {
 struct Response {
     bool negated = false;
     EventName event;
-    std::shared_ptr<const Limit> limit;  ///< null: none
+    std::shared_ptr<const Limit> limit;  ///< null if there is none
     bool eventually = false;             ///< the keyword is written (LEGOS)
-    ResponsePtr otherwise;               ///< null: none
+    ResponsePtr otherwise;               ///< null if there is none
     bool written_else = false;           ///< `else` instead of `otherwise` (LEGOS)
     std::vector<Defeater> defeaters;
     bool braced = false;  ///< the response is in braces
@@ -106,7 +107,7 @@ struct Response {
 /// `EVENT [and condition]`.
 struct Trigger {
     EventName event;
-    ExprPtr condition;  ///< null: none
+    ExprPtr condition;  ///< null if there is none
 };
 
 struct Event {
@@ -126,7 +127,7 @@ struct Constant {
     ExprPtr value;  ///< a number or another constant
 };
 
-/// Extension: `map EVENT to Module::event`: the model's name of an event or a measure.
+/// Extension: `map EVENT to Module::event` gives the model's name of an event or a measure.
 struct Mapping {
     Name name;
     Name element;
@@ -136,7 +137,7 @@ struct Mapping {
 enum class RuleForm : std::uint8_t {
     when,      ///< `when E and c then ...`
     after,     ///< extension: `after E and c, ...`, which is `when E and c then ...`
-    at_least,  ///< extension: `F at least N unit after E and c`: F no sooner
+    at_least,  ///< extension: `F at least N unit after E and c`; F must not occur sooner
 };
 
 struct Rule {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The findings about claims files, and the answers to requests.
+// Reports the findings about claims files, and answers requests.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -99,7 +99,7 @@ std::string shown_lines(std::vector<std::string> lines) {
     return fmt::format("{}", fmt::join(lines, "\n\n"));
 }
 
-/// "`goTo(nat)`: operation of the platform of p::Patrol", one line for each component that has the name.
+/// Returns one line for each component that has the name: "`goTo(nat)`: operation of the platform of p::Patrol".
 std::string about_channels(const std::string& name, const ClaimedModels& models) {
     std::vector<std::string> lines;
     for (const claims::Component& component : models.components)
@@ -126,7 +126,7 @@ const claims::Claim* claim_named(const claims::ClaimFile& file, const std::strin
     return found == file.claims.end() ? nullptr : &*found;
 }
 
-/// The declarations of events, operations and constants with this name.
+/// Returns the declarations of events and operations with this name.
 std::vector<Span> declarations_of(const std::string& name, const ir::System& system) {
     std::vector<Span> result;
     const auto add = [&](const auto& list) {
@@ -257,7 +257,7 @@ Json ClaimTexts::formatting(const Request& request) {
                             claims::format(document.sources, document.source, ignored), session_.client.encoding);
 }
 
-/// The names of claims can be renamed; names of events belong to the model.
+/// Accepts only names of claims, because names of events belong to the model.
 Json ClaimTexts::prepare_rename(const Request& request) {
     const ClaimWord word = claim_word_at(request.document, request.offset);
     const claims::Claim* const claim = claim_named(*reading_of(request.document).file, word.text);

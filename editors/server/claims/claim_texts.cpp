@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads claims files, together with the models beside them. See claim_texts.hpp.
+// Reads claims files, together with the models in their folders. See claim_texts.hpp.
 #include "editors/server/claims/claim_texts.hpp"
 
 #include <algorithm>

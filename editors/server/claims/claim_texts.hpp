@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The claims files that an editor has open. Names are those of the models on disk in the folder of the claims, or in
-// the folder above.
+// Reads the claims files that an editor has open. Their names refer to the models on disk in the folder of the claims,
+// or in the folder above.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ namespace robochart::lsp {
 struct ClaimReading {
     std::shared_ptr<const claims::ClaimFile> file;
     diagnostics::Diagnostics findings;
-    const ClaimedModels* models = nullptr;  ///< null: there are none
+    const ClaimedModels* models = nullptr;  ///< null if there are none
 };
 
 struct ClaimText : TextDocument {
@@ -45,7 +45,8 @@ public:
     [[nodiscard]] Json rename(const Request&) override;
 
 protected:
-    /// Claims of one file depend on the time unit and the names of the others.
+    /// Drops the results of all texts, because the claims of one file depend on the time unit and the names of the
+    /// others.
     void drop_results(ClaimText& document) override;
     [[nodiscard]] Json findings_in(TextDocument& document) override;
 
@@ -56,7 +57,7 @@ private:
     ModelsBeside models_;
 };
 
-/// The word at or directly before an offset; the span is empty if there is none.
+/// The word at or directly before an offset. If there is no word, the span is empty.
 struct ClaimWord {
     std::string text;
     Span span;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The models on disk in the folder of a text, or in the folder above. Claims and rules refer to their names.
+// Reads the models on disk in the folder of a text, or in the folder above. Claims and rules refer to names of these
+// models.
 #pragma once
 
 #include <map>
@@ -21,31 +22,31 @@ struct ClaimedModels {
     ir::System system;
     std::vector<std::string> packages;
     std::vector<claims::Component> components;
-    bool good = false;  ///< the models have no errors
+    bool good = false;  ///< true if the models have no errors
 };
 
 /// A place in a text at which the last part of a name is written: `in Operating::` has the qualifier "Operating::" and
 /// the word "in".
 struct NamePlace {
     std::string qualifier;  ///< "" or ends with "::"
-    std::string word;       ///< before the name
+    std::string word;       ///< the word before the name
 };
 [[nodiscard]] NamePlace name_place(std::string_view text_before);
 
-/// The states of the machines, as they are written after the qualifier, sorted.
+/// Returns the states of the machines, as they are written after the qualifier, sorted.
 [[nodiscard]] std::vector<std::string> states_after(const std::string& qualifier, const ClaimedModels&);
 
 /// Reads the models of a folder again if a file has changed.
 class ModelsBeside {
 public:
-    /// Null if there are no models, or if they have errors.
+    /// Returns the models for the text with this path. Returns null if there are no models, or if they have errors.
     [[nodiscard]] const ClaimedModels* find(const std::string& path, diagnostics::Budget* budget);
 
 private:
-    std::map<std::string, std::unique_ptr<ClaimedModels>> models_;  ///< by folder
+    std::map<std::string, std::unique_ptr<ClaimedModels>> models_;  ///< key: the folder
 };
 
-/// The files in a folder whose names end in this way.
+/// Returns the files in a folder whose names have this ending.
 [[nodiscard]] std::vector<std::string> files_in(const std::string& folder, std::string_view ending);
 
 }  // namespace robochart::lsp

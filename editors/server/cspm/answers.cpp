@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The findings about scripts, and the answers to requests.
+// Reports the findings about scripts, and answers requests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Json Scripts::script_location(const ScriptReading& reading, Span span) const {
         {{"uri", uri_of(reading, span.source)}, {"range", lsp_range(reading.sources, span, session_.client.encoding)}});
 }
 
-/// Includes the findings about files that scripts include.
+/// Returns all findings, including those about files that scripts include.
 std::map<std::string, Json> Scripts::all_findings() {
     std::map<std::string, Json> result;
     for (const auto& [uri, document] : documents()) result.emplace(uri, Json::array());

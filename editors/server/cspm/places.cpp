@@ -18,7 +18,7 @@ std::uint32_t span_length(Span span) {
     return span.end - span.begin;
 }
 
-/// The shortest of the uses that contain a place.
+/// Returns the shortest of the uses that contain a place.
 std::optional<NameAt> use_at(const ScriptReading& reading, SourceId source, std::uint32_t offset) {
     std::optional<NameAt> best;
     const auto& uses = reading.names.uses;

@@ -9,10 +9,9 @@
 
 namespace robochart::lsp {
 
-/// The name without its modules.
+/// Returns the name without its modules.
 [[nodiscard]] std::string_view short_name(std::string_view qualified);
-/// The place of the name in a declaration; the beginning of the declaration if the declaration does not contain the
-/// name.
+/// Returns the place of the name in a declaration, or the beginning of the declaration if it does not contain the name.
 [[nodiscard]] Span name_place(const SourceManager&, Span declaration, std::string_view name);
 
 /// A name at some place in a script.
@@ -20,7 +19,7 @@ struct NameAt {
     const cspm::KnownName* known = nullptr;
     Span span;  ///< the place where it was found
 };
-/// The name at or directly before an offset, used or declared.
+/// Returns the name that is used or declared at an offset, or directly before the offset.
 [[nodiscard]] std::optional<NameAt> name_at(const ScriptReading&, SourceId, std::uint32_t offset);
 
 }  // namespace robochart::lsp

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A unique name for a file, with links resolved. A path that is not on disk is used unchanged.
+/// Returns a unique name for a file, with links resolved. A path that does not exist on disk is returned unchanged.
 std::string file_at(const std::string& path) {
     if (!path.starts_with('/')) return path;
     std::error_code code;
@@ -52,7 +52,8 @@ const ScriptDocument* Scripts::find_open(const std::string& file) const {
     return nullptr;
 }
 
-/// The file recorded for an open document of this path. Links may have changed since then; the document keeps its file.
+/// Returns the file recorded for an open document with this path. Links may have changed since then, but the document
+/// keeps its file.
 std::string Scripts::file_of(const std::string& path) const {
     for (const auto& [uri, document] : documents())
         if (document->path == path) return document->file;
@@ -85,7 +86,8 @@ void Scripts::read(ScriptDocument& document) {
     document.reading = std::move(reading);
 }
 
-/// If open files include each other, the first file is the main file of the script.
+/// True if another open script includes the document. If open files include each other, the first file is the main file
+/// of the script.
 bool Scripts::is_part_of_another(const ScriptDocument& document) const {
     return std::ranges::any_of(documents(), [&](const auto& entry) {
         const ScriptDocument& other = *entry.second;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CSPM scripts that an editor has open. A script is read together with the files that it includes. Open texts
-// override files on disk. An open file that another open file includes is read as part of that file, because its names
-// may be declared there.
+// Reads the CSPM scripts that an editor has open. A script is read together with the files that it includes. Open texts
+// override files on disk. If another open file includes an open file, the included file is read as part of the other,
+// which may declare its names.
 #pragma once
 
 #include <map>
@@ -27,7 +27,7 @@ struct ScriptReading {
     std::map<std::string, SourceId> at;  ///< the text of each file; the first one if a file is included several times
     std::map<SourceId, std::string> in;  ///< the file of every text
     std::set<std::string> searched;      ///< files that were searched for, whether they exist or not
-    bool typed = false;                  ///< types were checked, or cannot be because reading failed
+    bool typed = false;                  ///< true if types were checked, or if reading failed
 };
 
 /// An open script.
@@ -56,13 +56,13 @@ protected:
     [[nodiscard]] Json findings_in(TextDocument& document) override;
 
 private:
-    /// The scripts that contain the open documents, with types.
+    /// Returns the scripts that contain the open documents, with types.
     [[nodiscard]] std::vector<const ScriptReading*> current_readings();
-    /// The first of these scripts that contains the document.
+    /// Returns the first of these scripts that contains the document.
     [[nodiscard]] const ScriptReading& reading_of(const ScriptDocument& document);
-    /// The URI that the editor uses for a file.
+    /// Returns the URI that the editor uses for a file.
     [[nodiscard]] std::string uri_of(const ScriptReading& reading, SourceId source) const;
-    /// `{uri, range}` of a span of a script; null if the span is unknown.
+    /// Returns `{uri, range}` of a span of a script; null if the span is unknown.
     [[nodiscard]] Json script_location(const ScriptReading& reading, Span span) const;
 
     void forget_readings(const std::string& file);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outline of a script.
+// Makes the outline of a script.
 #pragma once
 
 #include "editors/server/cspm/scripts.hpp"
 
 namespace robochart::lsp {
 
-/// The declarations of a text in textual order, as DocumentSymbols, or as SymbolInformation for editors that do not
-/// support DocumentSymbols.
+/// Returns the declarations of a text in textual order, as DocumentSymbols, or as SymbolInformation for editors that do
+/// not support DocumentSymbols.
 [[nodiscard]] Json script_symbols(const ScriptReading&, SourceId, const std::string& uri, Encoding, bool hierarchical);
 
 }  // namespace robochart::lsp

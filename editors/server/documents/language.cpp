@@ -93,7 +93,7 @@ Json Language::hover_answer(const Request& request, Hover hover,
 void Language::send_findings(std::map<std::string, Json> found) {
     for (const auto& [uri, text] : sent_) {
         const TextDocument* const document = find(uri);
-        // The editor may write the URI of a document in another way than before.
+        // The editor may now write the URI of a document differently.
         if (document == nullptr || document->uri != uri) found.emplace(uri, Json::array());
     }
     bool refresh = false;

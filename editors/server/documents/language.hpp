@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of a language: its documents, their findings, and its answers to requests (LSP 3.17, language
-// features). The server finds the language of a document and leaves the rest to it.
+// Defines the interface of a language: its documents, their findings, and its answers to requests (LSP 3.17, language
+// features). The server finds the language of a document, and the language does the rest.
 #pragma once
 
 #include <map>
@@ -21,9 +21,9 @@ struct TextDocument {
     TextDocument(SourceManager& in, std::string at) : sources(in), uri(std::move(at)), path(path_of_uri(uri)) {}
 
     SourceManager& sources;  ///< contains the text
-    std::string uri;         ///< as the editor writes it
+    std::string uri;         ///< the URI as the editor writes it
     std::string path;
-    std::string language_id;  ///< from the editor; may be empty
+    std::string language_id;  ///< identifier from the editor; may be empty
     SourceId source = SourceId::none;
     bool open = true;  ///< true if the text is that of the editor
     std::optional<std::int64_t> version;
@@ -37,7 +37,7 @@ struct Request {
     View params;
 };
 
-/// A text to show at the pointer, and the place that it describes; the place may be unknown.
+/// A text to show at the pointer, and the place that the text describes, which may be unknown.
 struct Hover {
     std::string text;
     Span place;
@@ -53,7 +53,7 @@ public:
 
     /// True if a document belongs to the language, according to its name or to the language identifier from the editor.
     [[nodiscard]] virtual bool accepts(std::string_view uri, std::string_view language_id) const = 0;
-    /// The document with this URI; null if the language does not have it.
+    /// Returns the document with this URI; null if the language does not have it.
     [[nodiscard]] virtual TextDocument* find(std::string_view uri) = 0;
     /// Must be called when a file has changed on disk.
     virtual void refresh_file(const std::string& /*uri*/) {}
@@ -67,13 +67,13 @@ public:
     /// The document may be unknown.
     void did_close(View params);
 
-    /// The document and the place that a request is about: `textDocument` and `position`, or those of `item`. Rejects
-    /// unknown documents.
+    /// Returns the document and the place that a request is about: `textDocument` and `position`, or the document and
+    /// place of `item`. Rejects unknown documents.
     [[nodiscard]] Request request_of(View params);
-    /// The findings of one document, for editors that request them.
+    /// Returns the findings of one document, for editors that request them.
     [[nodiscard]] Json pull_findings(const Request&);
 
-    // Requests; null if the language does not support them
+    // Requests. The functions return null if the language does not support the request.
     [[nodiscard]] virtual Json code_actions(const Request&) { return {}; }
     [[nodiscard]] virtual Json code_lenses(const Request&) { return {}; }
     [[nodiscard]] virtual Json completion(const Request&) { return {}; }
@@ -101,20 +101,20 @@ protected:
     virtual void change(TextDocument& document, std::string text) = 0;
     /// The document may be unknown.
     virtual void close(const std::string& uri) = 0;
-    /// The findings of a document, as an array of Diagnostics.
+    /// Returns the findings of a document, as an array of Diagnostics.
     [[nodiscard]] virtual Json findings_in(TextDocument& document) = 0;
 
-    /// `{uri, range}` of a span of the document; null if the span is unknown.
+    /// Returns `{uri, range}` of a span of the document; null if the span is unknown.
     [[nodiscard]] Json location_in(const TextDocument& document, Span span) const;
-    /// These findings as Diagnostics; all places are in the document.
+    /// Returns these findings as Diagnostics. All places must be in the document.
     [[nodiscard]] Json list_findings(const TextDocument& document, const diagnostics::Diagnostics& findings) const;
-    /// The answer to a hover request: the text, then the explanations of the rules that report the place. Null if both
-    /// are empty.
+    /// Returns the answer to a hover request: the text, then the explanations of the rules that report the place.
+    /// Returns null if both are empty.
     [[nodiscard]] Json hover_answer(const Request&, Hover hover,
                                     const std::vector<diagnostics::Diagnostic>& findings) const;
-    /// Sends these lists of findings, keyed by URI, if they changed, and an empty list for each document that the
-    /// language no longer has. If the editor requests the findings of open documents, the server does not send them as
-    /// well, because the editor would show them twice.
+    /// Sends the lists of findings that changed, and an empty list for each document that the language no longer has.
+    /// `found` maps URIs to lists. If the editor requests the findings of open documents, the server does not also send
+    /// them, because the editor would show them twice.
     void send_findings(std::map<std::string, Json> found);
 
     Session& session_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A language whose documents are the texts that the editor has open.
+// Defines a language whose documents are the texts that the editor has open.
 #pragma once
 
 #include <map>
@@ -22,7 +22,7 @@ public:
         const auto found = documents_.find(uri);
         return found != documents_.end() ? found->second.get() : nullptr;
     }
-    /// If the budget ends an analysis, the findings are sent later.
+    /// Sends the findings. If the budget ends an analysis, they are sent later.
     void publish() final {
         if (!news_) return;
         send_findings(all_findings());
@@ -35,9 +35,9 @@ protected:
     [[nodiscard]] const Documents& documents() const { return documents_; }
     [[nodiscard]] static Text& text_of(TextDocument& document) { return static_cast<Text&>(document); }
 
-    /// Discards the results that depend on a document. Called when it was opened, changed or closed.
+    /// Discards the results that depend on a document. Called after the document was opened, changed or closed.
     virtual void drop_results(Text& document) = 0;
-    /// The findings of all documents, by URI.
+    /// Returns the findings of all documents, by URI.
     [[nodiscard]] virtual std::map<std::string, Json> all_findings() {
         std::map<std::string, Json> result;
         for (const auto& [uri, document] : documents_) result.emplace(uri, findings_in(*document));

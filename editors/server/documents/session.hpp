@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The settings negotiated with one editor, and the state of the connection.
+// Defines the settings negotiated with one editor, and the state of the connection.
 #pragma once
 
 #include <cstdint>
@@ -46,10 +46,10 @@ struct Client {
     bool markdown = false;
     bool watches_files = false;
     bool versioned_edits = false;
-    bool creates_files = false;  ///< its edits may create files; they then have versions
+    bool creates_files = false;  ///< true if edits may create files; edits then have versions
     /// True if the editor requests the diagnostics of open documents, so the server does not send them.
     bool pulls_diagnostics = false;
-    bool refreshes_diagnostics = false;  ///< repeats its requests for diagnostics when the server notifies it
+    bool refreshes_diagnostics = false;  ///< it requests diagnostics again when the server notifies it
     std::set<std::string> commands;  ///< code lens commands that it supports (editors/server/features/capabilities.hpp)
 };
 
@@ -61,7 +61,8 @@ struct Session {
     diagnostics::Budget* budget;            ///< interrupts work; null: no limit
     std::int64_t refreshes = 0;             ///< number of requests to refresh diagnostics so far
     std::function<void(const Json&)> send;  ///< sends a message to the editor
-    /// The SLEEC rules of a folder, each with the name of its file; an empty function: not available.
+    /// Returns the SLEEC rules of a folder, each with the name of its file. The function is empty if rules are not
+    /// available.
     std::function<std::vector<std::pair<std::string, std::string>>(const std::string& folder)> rule_names;
 };
 

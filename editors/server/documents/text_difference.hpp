@@ -10,12 +10,13 @@
 
 namespace robochart::lsp {
 
-/// TextEdits that turn a text into another. One edit replaces the part between the common beginning and the common end,
-/// at character boundaries, so that the editor keeps its cursor position. Empty if the texts are equal.
+/// Returns TextEdits that turn a text into another. One edit replaces the part between the common beginning and the
+/// common end, at character boundaries, so that the editor keeps its cursor position. The list is empty if the texts
+/// are equal.
 [[nodiscard]] Json text_edits(const SourceManager&, SourceId, std::string_view after, Encoding);
 
-/// The edits that format a text. A text with syntax errors has no formatted text and is refused; its diagnostics give
-/// the reason.
+/// Returns the edits that format a text. Refuses a text with syntax errors, which has no formatted text; its
+/// diagnostics contain the reason.
 [[nodiscard]] Json formatting_edits(const SourceManager&, SourceId, const std::optional<std::string>& formatted,
                                     Encoding);
 

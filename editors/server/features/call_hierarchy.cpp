@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The callers of an operation, and the calls of an operation or machine. As in go-to-definition, a call refers to every
-// operation with the name of the called signature.
+// Finds the callers of an operation, and the calls in an operation or machine. As in go-to-definition, a call refers to
+// every operation with the name of the called signature.
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +36,7 @@ struct CallGraph {
     template <class Node>
     void visit(const Node&) {}
 
-    /// The operations that a call may run; the signature if none is defined.
+    /// Returns the operations that a call may run; the signature if no operation is defined.
     [[nodiscard]] std::vector<const Declaration*> definitions_of(const Declaration& callee) const {
         std::vector<const Declaration*> result;
         for (const Machine* operation : operations)
@@ -68,7 +68,7 @@ Json hierarchy_item(const Session& session, Project& project, const Declaration&
          {"selectionRange", lsp_range(project.sources(), declaration.name_span, session.client.encoding)}});
 }
 
-/// The operation, signature or machine whose name is at the place; null if there is none.
+/// Returns the operation, signature or machine whose name is at the place; null if there is none.
 const Declaration* callable_at(const Target& target) {
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr || name->target == nullptr) return nullptr;

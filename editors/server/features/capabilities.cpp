@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the client's capabilities from `initialize`, and states the server's.
+// Reads the client's capabilities from `initialize`, and states the server's capabilities.
 #include "editors/server/features/capabilities.hpp"
 
 #include <algorithm>

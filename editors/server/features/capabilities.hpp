@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The capabilities of client and server (LSP 3.17, initialize).
+// Negotiates the capabilities of client and server (LSP 3.17, initialize).
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robochart::lsp {
 
-/// The commands of code lenses. Their arguments are the document's URI and a name: of an assertion to check, or of a
+/// The commands of code lenses. Their arguments are the document's URI and the name of an assertion to check, or of a
 /// component to draw or to step through. A client lists the commands that it supports in
 /// `initializationOptions.commands`.
 inline constexpr const char* check_command = "robochart.check";
@@ -18,11 +18,11 @@ inline constexpr const char* step_command = "robochart.step";
 
 /// Reads the client's capabilities from the parameters of `initialize`.
 [[nodiscard]] Client client_of(View params);
-/// The paths of the folders that the editor has open.
+/// Returns the paths of the folders that the editor has open.
 [[nodiscard]] std::vector<std::string> folders_of(View params);
-/// The result of `initialize`.
+/// Returns the result of `initialize`.
 [[nodiscard]] Json server_capabilities(const Client&);
-/// Asks the editor to report changes of files that are not open.
+/// Returns the request that makes the editor report changes of files that are not open.
 [[nodiscard]] Json watch_request();
 
 }  // namespace robochart::lsp

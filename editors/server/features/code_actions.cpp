@@ -27,7 +27,7 @@ std::string title_of(const FixIt& fix, std::string_view replaced) {
     return fmt::format("Change `{}` to `{}`", replaced, fix.replacement);
 }
 
-/// The editor's diagnostic that the fix belongs to, so that it can show both together.
+/// Returns the editor's diagnostic to which the fix belongs, so that the editor can show both together.
 Json matching_diagnostic(View context, const Diagnostic& finding, const Json& place) {
     for (const View shown : context["diagnostics"].items())
         if (shown["code"].text() == finding.rule->code && shown["range"].json() == place)
@@ -54,7 +54,7 @@ Json code_action(const Session& session, const Target& target, const Diagnostic&
     return result;
 }
 
-/// Moves all claims of an assertion file to the end of the claims file beside it.
+/// Moves all claims of an assertion file to the end of the claims file in the same folder.
 Json move_of_claims(const Session& session, const Target& target, const Diagnostic& finding, View context) {
     const auto moved = frontend::move_claims(target.project.tree_of(target.document), target.project.sources());
     if (!moved) return {};
@@ -64,7 +64,7 @@ Json move_of_claims(const Session& session, const Target& target, const Diagnost
         return Json::object({{"textDocument", Json::object({{"uri", uri}, {"version", std::move(version)}})},
                              {"edits", std::move(edits)}});
     };
-    // A position behind the last line is the end of the text.
+    // A position after the last line is the end of the text.
     const Json end = Json::object({{"line", std::numeric_limits<std::int32_t>::max()}, {"character", 0}});
     const Json added =
         Json::object({{"range", Json::object({{"start", end}, {"end", end}})}, {"newText", moved->text}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and machine. The
-// editor runs the commands, because they may take a long time and need the editor's windows.
+// Offers commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and
+// machine. The editor runs the commands, because they may take a long time and need the editor's windows.
 
 #include "editors/server/features/capabilities.hpp"
 #include "editors/server/features/models.hpp"
@@ -10,15 +10,15 @@ namespace robochart::lsp {
 
 namespace {
 
-/// The lenses of one document. A lens has a command that the editor supports, with the document's URI and a name as
-/// arguments.
+/// The lenses of one document. A lens contains a command that the editor supports, with the document's URI and a name
+/// as arguments.
 class Lenses {
 public:
     Lenses(const Session& session, const Target& target) : session_(session), target_(target) {}
 
     Json find() {
         for (const frontend::Assertion& assertion : target_.project.tree_of(target_.document).assertions)
-            // The parser makes up a name, with an empty span, for an assertion without one.
+            // For an assertion without a name, the parser generates a name with an empty span.
             if (assertion.name_span.begin != assertion.name_span.end)
                 add("check", check_command, assertion.name_span, assertion.name);
         for (const auto& assertion : target_.project.tree_of(target_.document).probabilistic_assertions)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completion: the names and keywords that are allowed at a place.
+// Completes text with the names and keywords that are allowed at a place.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace frontend;
 
-/// The nearness of a name, by which the list is sorted.
+/// How near a name is declared; the list is sorted by this rank.
 enum class Rank { scope = 1, project = 2, word = 3, snippet = 4 };
 
 bool is_node(DeclKind kind) {
@@ -217,7 +217,7 @@ private:
             }
     }
 
-    /// The kind of component to which a reference with the word before the cursor refers.
+    /// Returns the kind of component to which a reference with the word before the cursor refers.
     [[nodiscard]] DeclKind referenced_kind() const {
         if (context_.word == "sref") return DeclKind::state_machine;
         if (context_.word == "cref") return DeclKind::controller;

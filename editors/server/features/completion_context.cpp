@@ -29,8 +29,8 @@ bool is_name(const Token& token) {
 struct HeadRow {
     std::string_view word;
     Block block;
-    bool top_level;  ///< allowed only at file level: earlier bodies were not closed
-    bool part;       ///< allowed only at file level and in controllers and modules
+    bool top_level;  ///< true if allowed only at file level, so earlier bodies were not closed
+    bool part;       ///< true if allowed only at file level and in controllers and modules
 };
 constexpr std::array<HeadRow, 14> heads = {{{"interface", Block::interface, true, true},
                                             {"enumeration", Block::type, true, true},
@@ -159,7 +159,8 @@ private:
         read_binders(end);
     }
 
-    /// The last token before the end that begins a clause of the body; the beginning of the body if there is none.
+    /// Returns the last token before the end that begins a clause of the body; the beginning of the body if there is
+    /// none.
     [[nodiscard]] std::size_t clause_begin(std::size_t end) const {
         std::size_t begin = 0;
         for (const Enclosing& enclosing : context_.enclosing)
@@ -177,7 +178,7 @@ private:
         return at < end && is_among(words_[at], clauses);
     }
 
-    /// True if there are only tokens of types since a `:`.
+    /// True if the tokens between a `:` and the end are the beginning of a type that is not complete.
     [[nodiscard]] bool in_type(std::size_t end) const {
         for (std::size_t i = end; i > 0; --i) {
             const Token& token = words_[i - 1];
@@ -224,12 +225,12 @@ private:
         return Wanted::expression;
     }
 
-    /// `import p::*`
+    /// True after `import p::*`.
     [[nodiscard]] bool ends_import(std::size_t end) const {
         return token_before(end).is_word("*") && token_before(end, 2).is_word("::");
     }
 
-    /// The expected construct, if the last token alone decides it.
+    /// Returns the expected construct, if the last token alone decides it.
     [[nodiscard]] std::optional<Wanted> by_word(std::size_t end, const Token& token) {
         const bool in_transition = innermost_body().block == Block::transition;
         if (token.is_word("from") && in_transition) return Wanted::source;
@@ -269,7 +270,7 @@ private:
     [[nodiscard]] Wanted after_bracket(std::size_t end) const {
         if (token_before(end, 2).is_word("since")) return Wanted::clock;
         if (token_before(end, 2).is_word("sinceEntry")) return Wanted::state;
-        // Parameters of a declaration have new names; any other bracket contains values.
+        // Parameters of a declaration have new names. All other brackets contain values.
         if (is_name(token_before(end, 2)) && is_among(token_before(end, 3), {"operation", "function"}))
             return Wanted::nothing;
         const bool declares = innermost_body().block == Block::interface || innermost_body().block == Block::platform;
@@ -284,7 +285,7 @@ private:
         return words_[open].is_word("(") ? after_bracket(open + 1) : Wanted::expression;
     }
 
-    /// The innermost bracket of the clause that is still open; `end` if there is none.
+    /// Returns the innermost bracket of the clause that is still open; `end` if there is none.
     [[nodiscard]] std::size_t open_bracket(std::size_t end) const {
         int depth = 0;
         for (std::size_t i = end; i > clause_begin(end); --i) {
@@ -295,7 +296,8 @@ private:
         return end;
     }
 
-    /// In the transition `t { from A`, only clauses may follow. Elsewhere, an operator or the next member may follow.
+    /// Returns what may follow a complete operand. In the transition `t { from A`, only clauses may follow. Elsewhere,
+    /// an operator or the next member may follow.
     [[nodiscard]] Wanted after_operand(std::size_t end) {
         if (innermost_body().block == Block::transition) {
             const std::size_t at = clause_begin(end);

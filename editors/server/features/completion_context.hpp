@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines what is allowed at a place of a text that is being written. It uses the tokens before the place and not
-// the tree, because the text usually has syntax errors while it is written.
+// Determines what is allowed at a place in a text that is being written. It uses the tokens before the place instead of
+// the tree, because a text that is being written usually has syntax errors.
 #pragma once
 
 #include <deque>
@@ -60,7 +60,8 @@ enum class Wanted {
     rule,       ///< a rule, after `conforms to` in an assertion
 };
 
-/// The context of a completion. A step from a value to a part of it is a field's name, or "" for an index.
+/// The context of a completion. In `value`, a step from a value to a part of this value is a field's name, or "" for an
+/// index.
 struct CompletionContext {
     Wanted expected = Wanted::nothing;
     std::vector<Enclosing> enclosing;    ///< outermost first; the file is always included
@@ -72,7 +73,7 @@ struct CompletionContext {
     std::vector<std::string> bound;      ///< variables of binders before the place
 };
 
-/// Looks at the words before an offset.
+/// Determines the context from the words before an offset.
 [[nodiscard]] CompletionContext context_at(const SourceManager&, SourceId, bool is_assertions, std::uint32_t offset);
 
 }  // namespace robochart::lsp

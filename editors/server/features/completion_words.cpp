@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keywords for each context, and the snippets.
+// Lists the keywords for each context, and the snippets.
 #include "editors/server/features/completion_words.hpp"
 
 #include <algorithm>

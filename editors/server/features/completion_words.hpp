@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keywords that are allowed at a place, for completion (RoboChart.xtext, Assertions.xtext).
+// Lists the keywords that are allowed at a place, for completion (RoboChart.xtext, Assertions.xtext).
 #pragma once
 
 #include <string_view>
@@ -15,12 +15,13 @@ struct Snippet {
     std::string_view text;
 };
 
-/// The keywords that begin a member of a body. In a transition, only keywords that may follow its last clause.
+/// Returns the keywords that begin a member of a body. In a transition, returns only keywords that may follow its last
+/// clause.
 [[nodiscard]] std::vector<std::string_view> member_words(Block block, std::string_view last_clause);
-/// The keywords of RoboSim that begin a member of a body or follow the ends of a transition.
+/// Returns the keywords of RoboSim that begin a member of a body, or that follow the source and target of a transition.
 [[nodiscard]] std::vector<std::string_view> robosim_member_words(Block block);
 [[nodiscard]] const std::vector<std::string_view>& assertion_member_words();
-/// The keywords that may follow a complete operand.
+/// Returns the keywords that may follow a complete operand.
 [[nodiscard]] std::vector<std::string_view> infix_words(Block block, bool is_assertions);
 [[nodiscard]] const std::vector<std::string_view>& type_words();
 [[nodiscard]] const std::vector<std::string_view>& expression_words();

@@ -30,7 +30,7 @@ std::optional<csp_emit::Emission> emission_for(const Session& session, const Tar
                                              target.document.source, time, session.budget);
 }
 
-/// The beginning of the qualified name that ends at an offset: identifiers joined by `::`.
+/// Returns the beginning of the qualified name (identifiers joined by `::`) that ends at an offset.
 std::uint32_t begin_of_name(std::string_view text, std::uint32_t end) {
     std::uint32_t at = end;
     while (at > 0 && (cspm::continues_name(text[at - 1]) || text[at - 1] == ':')) --at;
@@ -63,8 +63,8 @@ int item_kind(const ScriptName& name) {
     return 13;
 }
 
-/// True for internal names: definitions of control states and numbers of transitions. `D__`, `VS_O__` and similar names
-/// in capitals are not internal, because blocks use them.
+/// True for internal names, which are definitions of control states and numbers of transitions. `D__`, `VS_O__` and
+/// similar names in capitals are not internal, because blocks use them.
 bool is_inner(const std::string& name) {
     const bool small = std::ranges::any_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
     return name.starts_with("TID") || (small && name.ends_with("__"));

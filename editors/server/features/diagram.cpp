@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagram of the component at a place, with the places of its elements in the text. While the text has syntax
+// Draws the diagram of the component at a place, with the places of its elements in the text. While the text has syntax
 // errors, the last picture is used.
 #include "editors/server/features/diagram.hpp"
 
@@ -55,7 +55,7 @@ bool contains_cursor(Span span, const Target& target) {
     return span.source == target.document.source && span.begin <= target.offset && target.offset <= span.end;
 }
 
-/// True if the place is in a type, function or interface, which the diagram of a package shows.
+/// True if the place is in a type, function or interface. The diagram of a package shows these.
 bool is_in_package(const Subject& subject, const Target& target) {
     const auto has_place = [&](const frontend::File* file) {
         return std::ranges::any_of(file->declarations, [&](const auto& declaration) {
@@ -65,7 +65,7 @@ bool is_in_package(const Subject& subject, const Target& target) {
     return std::ranges::any_of(subject.files, has_place);
 }
 
-/// The innermost component that contains a place; null if there is none.
+/// Returns the innermost component that contains a place; null if there is none.
 const Subject* subject_at(const std::vector<Subject>& subjects, const Target& target) {
     const Subject* best = nullptr;
     std::uint32_t least = 0;
@@ -88,8 +88,8 @@ bool is_of(const Subject& subject, SourceId source) {
     return std::ranges::any_of(subject.files, [&](const frontend::File* file) { return file->source == source; });
 }
 
-/// The component with this name or with a name that ends with it. Components of the document are preferred to others,
-/// and full names to parts of names.
+/// Returns the component with this name, or with a name that ends with this name. Components of the document are
+/// preferred to others, and full names to parts of names.
 const Subject* subject_called(const std::vector<Subject>& subjects, const std::string& name, SourceId source) {
     const Subject* best = nullptr;
     int rank = 0;
@@ -111,7 +111,7 @@ const Subject* first_of(const std::vector<Subject>& subjects, SourceId source) {
 /// The selected component.
 struct Choice {
     const Subject* subject = nullptr;
-    bool certain = false;  ///< selected by place or name; otherwise the first component of the file
+    bool certain = false;  ///< true if selected by place or name; false for the first component
 };
 
 Choice choose_subject(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& parameters) {
@@ -124,7 +124,7 @@ Choice choose_subject(const std::vector<Subject>& subjects, const Target& target
     return {only_named ? nullptr : first_of(subjects, source), false};
 }
 
-/// The documents that contain a component or package.
+/// Returns the documents that contain a component or package.
 std::vector<const Document*> documents_of(const Subject& subject, Project& project) {
     std::vector<const Document*> result;
     if (subject.component != nullptr) result.push_back(project.find(subject.component->span.source));
@@ -139,7 +139,7 @@ std::string kind_of(const Subject& subject) {
 
 // ---------------------------------------------------------------- the answer
 
-/// The elements that a picture shows, by their index.
+/// Returns the indices of the elements that a picture shows.
 std::set<std::size_t> shown_in(const diagrams::Picture& picture) {
     std::set<std::size_t> result;
     const auto add = [&](std::size_t element, const std::vector<diagrams::Text>& texts) {
@@ -200,8 +200,8 @@ DrawnDiagram draw_now(const Session& session, const Target& target, const Subjec
     return result;
 }
 
-/// The stored diagram to show while the text has errors: that of the requested component, otherwise the latest diagram
-/// of the document; null if there is none.
+/// Returns the stored diagram to show while the text has errors: the diagram of the requested component, otherwise the
+/// latest diagram of the document; null if there is none.
 const KeptDiagram* stand_in(const KeptDiagrams& stored, const std::string& uri, const Choice& choice,
                             const std::string& component) {
     const KeptDiagram* found = choice.certain ? stored.find_last(uri, choice.subject->name) : nullptr;

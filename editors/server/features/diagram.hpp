@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagrams next to the text: the project's own requests and notifications `robochart/diagram` and
+// Shows diagrams next to the text, by the project's own request `robochart/diagram` and notification
 // `robochart/diagramChanged` (docs/lsp.md, "Diagrams").
 #pragma once
 
@@ -43,7 +43,8 @@ public:
     /// Returns the entry of a component as the most recent one; creates it if necessary. The oldest entry may be
     /// dropped.
     KeptDiagram& find_or_add(const std::string& uri, const std::string& kind, const std::string& name);
-    /// The latest entry of a document that has a picture and, unless `name` is "", this name; null if there is none.
+    /// Returns the latest entry of a document that has a picture and, unless `name` is "", this name. Returns null if
+    /// there is none.
     [[nodiscard]] const KeptDiagram* find_last(std::string_view uri, std::string_view name) const;
 
     std::set<std::string> requested;  ///< URIs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Foldable ranges: braces over several lines, comments, and consecutive imports.
+// Finds foldable ranges: braces over several lines, comments, and consecutive imports.
 #include "editors/server/features/models.hpp"
 #include "frontend/syntax/lexer.hpp"
 
@@ -13,7 +13,7 @@ class Folds {
 public:
     Folds(const SourceManager& sources, SourceId source) : positions_(sources, source, Encoding::utf8) {}
 
-    /// The last line stays visible if it contains the closing brace.
+    /// Adds a range. If `keep_last` is true, the last line stays visible, because it contains the closing brace.
     void add(std::uint32_t begin, std::uint32_t end, const char* kind, bool keep_last) {
         const std::uint32_t first = line_at(begin);
         const std::uint32_t end_line = line_at(end);
@@ -35,7 +35,7 @@ public:
             if (token.kind == frontend::TokenKind::csp_code) add(token.span.begin, token.span.end, "", true);
         }
     }
-    /// Comments on consecutive lines are folded together.
+    /// Folds comments; comments on consecutive lines are folded together.
     void fold_comments(const std::vector<Span>& list) {
         for (std::size_t i = 0; i < list.size();) {
             std::size_t last = i;

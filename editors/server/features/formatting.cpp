@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formatting in the standard layout (docs/format.md).
+// Formats texts in the standard layout (docs/format.md).
 #include "editors/server/documents/text_difference.hpp"
 #include "editors/server/features/models.hpp"
 #include "frontend/format/format.hpp"

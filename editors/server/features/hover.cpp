@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows information about the name at the pointer: its declaration with the comment, and the rules that report it. For
-// a keyword, shows its meaning.
+// Shows information about the name at the pointer: its declaration with the comment, and the rules that report the
+// name. For a keyword, shows its meaning.
 #include <fmt/format.h>
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace {
 using frontend::NameKind;
 using frontend::Occurrence;
 
-/// The file that contains a declaration; it may be a toolkit.
+/// Returns the file that contains a declaration; this file may be a toolkit.
 const frontend::File* file_of(Project& project, SourceId source) {
     for (const auto& file : project.current_model().files)
         if (file->source == source) return file.get();
@@ -69,7 +69,7 @@ struct Word {
     std::string_view text;
 };
 
-/// Keywords of assertions may contain hyphens, which the lexer treats as separate tokens.
+/// Returns the whole word. Keywords of assertions may contain hyphens, which the lexer treats as separate tokens.
 Span whole_word(std::string_view text, Span span) {
     const auto belongs = [&](std::uint32_t at) { return (text[at] >= 'a' && text[at] <= 'z') || text[at] == '-'; };
     while (span.begin > 0 && belongs(span.begin - 1)) --span.begin;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints about facts that a text omits: the types of variables that are declared without one, and the values of
+// Shows hints about facts that a text omits: the types of variables that are declared without a type, and the values of
 // constants whose initial expressions use only whole-number arithmetic.
 #include <charconv>
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 using namespace frontend;
 using Whole = std::optional<std::int64_t>;
 
-/// The values of constants as given in the model; an assertion may give others.
+/// The values of constants as given in the model; an assertion may give other values.
 class ConstantValues {
 public:
     Whole value_of(const Expr& expr) {
@@ -46,7 +46,8 @@ private:
         return error == std::errc() && end == text.data() + text.size() ? Whole(value) : std::nullopt;
     }
 
-    /// Division and remainder are not computed, because the finite instantiation clips and rounds them.
+    /// Combines two values. Does not compute division and remainder, because the finite instantiation clips and rounds
+    /// them.
     static Whole combine_values(BinaryOp op, Whole left, Whole right) {
         std::int64_t value = 0;
         if (!left || !right) return std::nullopt;
@@ -57,7 +58,7 @@ private:
         return overflow ? std::nullopt : Whole(value);
     }
 
-    /// The value of a constant. A constant that is defined by itself, or through too many others, has none.
+    /// Returns the value of a constant; no value if it is defined by itself, or through too many other constants.
     Whole of_name(const Declaration* target) {
         const auto* constant = dynamic_cast<const Variable*>(target);
         if (constant == nullptr || constant->kind != DeclKind::constant || !constant->initial) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meanings of reserved words (language reference, chapters 2 and 3; docs/semantics.md for timing).
+// Lists the meanings of reserved words (language reference, chapters 2 and 3; docs/semantics.md for timing).
 #include "editors/server/features/keywords.hpp"
 
 #include <algorithm>

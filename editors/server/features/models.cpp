@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The documents of projects, and the findings about them.
+// Manages the documents of projects, and reports the findings about them.
 #include "editors/server/features/models.hpp"
 
 #include <utility>

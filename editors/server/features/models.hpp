@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language server for RoboChart models and their assertions. Each feature has its own source file.
+// Serves RoboChart models and their assertions. Each feature has its own source file.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@ namespace robochart::lsp {
 
 class KeptDiagrams;
 
-/// A document is one of the files of a project, open or not.
+/// The language of models. Each document is a file of a project, whether it is open or not.
 class Models : public Language {
 public:
     explicit Models(Session& session);
     ~Models() override;
 
-    /// True for any document: those of other languages must be recognised first.
+    /// True for any document, so documents of other languages must be recognised first.
     [[nodiscard]] bool accepts(std::string_view uri, std::string_view language_id) const override;
     [[nodiscard]] TextDocument* find(std::string_view uri) override { return workspace_.find(uri).document; }
     void refresh_file(const std::string& uri) override { workspace_.refresh_file(uri); }
@@ -50,7 +50,7 @@ public:
 
     // symbols.cpp
     [[nodiscard]] Json document_symbols(const Request&) override;
-    /// The declarations of all projects whose names match a query, as SymbolInformation.
+    /// Returns the declarations of all projects whose names match a query, as SymbolInformation.
     [[nodiscard]] Json workspace_symbols(const std::string& query);
 
     // completion.cpp
@@ -69,7 +69,7 @@ public:
     [[nodiscard]] Json code_lenses(const Request&) override;
 
     // diagram.cpp
-    /// `{version, component, svg, elements, stale}`, or null if there is no component to draw.
+    /// Returns `{version, component, svg, elements, stale}`, or null if there is no component to draw.
     [[nodiscard]] Json diagram(const Request&) override;
 
     // folding.cpp
@@ -89,17 +89,17 @@ protected:
 
 private:
     [[nodiscard]] Target target_of(const Request&);
-    /// The findings of a project by URI; every document has a list.
+    /// Returns the findings of a project by URI, with a list for every document.
     [[nodiscard]] std::map<std::string, Json> findings_of(Project& project) const;
     /// Notifies the editor that diagrams of documents of the project may have changed, if it has requested any.
     void announce_diagrams(const Project& project);
 
     Workspace workspace_;
     std::unique_ptr<KeptDiagrams> diagrams_;
-    bool documents_left_ = false;  ///< documents may have left with their project
+    bool documents_left_ = false;  ///< true if documents may have been removed with their project
 };
 
-/// The names of semantic token types and modifiers, in the order of their numbers.
+/// Returns the names of semantic token types and modifiers, in the order of their numbers.
 [[nodiscard]] Json semantic_legend();
 
 }  // namespace robochart::lsp

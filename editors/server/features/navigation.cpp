@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Navigation from names to declarations and back.
+// Navigates from names to declarations and back.
 #include <algorithm>
 
 #include "editors/server/features/models.hpp"
@@ -36,8 +36,8 @@ int highlight_kind(Access access) {
 
 }  // namespace
 
-/// Finds the places of declarations. A declaration of a library is in its installed file. For a call, the results are
-/// the called signature and the definitions of the operation.
+/// Finds the places of declarations. For a declaration of a library, this is a place in the installed file. For a call,
+/// the results are the called signature and the definitions of the operation.
 Json Models::definition(const Request& request) {
     const Target target = target_of(request);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);

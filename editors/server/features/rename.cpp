@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renaming in a whole project. Names that are matched only by equality are renamed together: an operation and the
-// signatures that it implements, a required variable and the one that provides it (language reference 2, C3, C4, STM8
-// to STM10).
+// Renames in a whole project. Names that are matched only by equality are renamed together: an operation and the
+// signatures that it implements, a required variable and the variable that provides it (language reference 2, C3, C4,
+// STM8 to STM10).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ bool is_declared_here(Project& project, const Occurrence& name) {
     return std::ranges::any_of(all, [](const Occurrence* occurrence) { return occurrence->declares; });
 }
 
-/// The name to rename; throws a refusal if it cannot be renamed.
+/// Returns the name to rename. Throws a refusal if it cannot be renamed.
 const Occurrence& find_renamable(const Target& target) {
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) refuse_rename("there is no name here");
@@ -61,7 +61,7 @@ const Occurrence& find_renamable(const Target& target) {
     return *name;
 }
 
-/// The name as it must be written in a file: with `^` if it would be read as a keyword.
+/// Returns the name as it must be written in a file, with `^` if it would be read as a keyword.
 std::string name_as_written(const std::string& name, const Document& document) {
     const auto& words = frontend::assertion_words();
     const bool word = document.is_assertions && std::ranges::find(words, name) != words.end();
@@ -70,7 +70,7 @@ std::string name_as_written(const std::string& name, const Document& document) {
     return word || collection || reserved ? "^" + name : name;
 }
 
-/// The name without `^`; throws a refusal if it is not a name.
+/// Returns the new name without `^`. Throws a refusal if it is not a valid name.
 std::string check_new_name(const std::string& wish) {
     const bool escaped = wish.starts_with("^");
     const std::string name = escaped ? wish.substr(1) : wish;
@@ -95,7 +95,7 @@ bool same_family(DeclKind a, DeclKind b) {
     return group(a) != 0 && group(a) == group(b);
 }
 
-/// The occurrences of equal names that other components may match with this one.
+/// Returns the occurrences of equal names that other components may match with this occurrence.
 std::vector<const Occurrence*> related_occurrences(Project& project, const Occurrence& name) {
     std::set<const Declaration*> members;
     for (const Occurrence& occurrence : project.current_occurrences())
@@ -117,7 +117,7 @@ std::vector<Edit> edits_of(Project& project, const std::vector<const Occurrence*
     return edits;
 }
 
-/// The smallest set of names that can be renamed together without changing a meaning.
+/// Returns the edits of the smallest set of names that can be renamed together without changing a meaning.
 std::vector<Edit> harmless_edits(Project& project, const Occurrence& name, const std::string& wish) {
     const bool by_name = name.kind == NameKind::declaration && same_family(name.target->kind, name.target->kind);
     const bool always_together =
@@ -153,7 +153,7 @@ Json workspace_edit(const Session& session, Project& project, const std::vector<
     return Json::object({{"changes", std::move(changes)}});
 }
 
-/// CSP text may refer to the name; the user must change it by hand.
+/// Warns that CSP text may refer to the name. The user must change such text by hand.
 void warn_of_csp_text(const Session& session, Project& project, std::string_view name) {
     for (const auto& file : project.current_model().files)
         for (const frontend::CspBlock& block : file->csp_blocks) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ranges of "expand selection": the token, then the constructs that contain it, from inside out. Expressions and
-// statements come from the tree; in text with errors, brackets and declarations are still available.
+// Finds the ranges of "expand selection": the token, then the constructs that contain it, from inside out. Expressions
+// and statements are found in the tree. In text with errors, brackets and declarations are still found.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -27,7 +27,8 @@ public:
         if (holds && span.begin < span.end) spans_.insert({span.end - span.begin, span.begin});
     }
 
-    /// The spans from the smallest outwards, each inside the next. If two spans overlap, the smaller one is used.
+    /// Returns the spans from the smallest outwards, each inside the next. If two spans overlap, the smaller one is
+    /// used.
     [[nodiscard]] std::vector<Span> nested_spans() const {
         std::vector<Span> result;
         for (const auto& [length, begin] : spans_) {

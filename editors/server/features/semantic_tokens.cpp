@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Semantic highlighting of names. Keywords and literals are left to the editor's grammar.
+// Highlights names semantically. The editor's grammar highlights keywords and literals.
 #include "editors/server/features/models.hpp"
 
 namespace robochart::lsp {
@@ -123,7 +123,7 @@ Json semantic_legend() {
     return Json::object({{"tokenTypes", std::move(names)}, {"tokenModifiers", std::move(extras)}});
 }
 
-/// The result has five numbers per name: line and column relative to the name before, length, type, modifiers.
+/// Returns five numbers per name: line and column relative to the previous name, length, type, modifiers.
 Json Models::semantic_tokens(const Request& request) {
     const Target target = target_of(request);
     const PositionTable positions(target.project.sources(), target.document.source, session_.client.encoding);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of the call at the cursor.
+// Shows the parameters of the call at the cursor.
 #include <algorithm>
 
 #include "editors/server/features/completion_context.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace frontend;
 
-/// A call whose bracket is open at the place.
+/// A call whose bracket is still open at the place.
 struct Call {
     std::string name;
     std::size_t argument = 0;
@@ -47,7 +47,7 @@ const std::vector<VariablePtr>* parameters_of(const Declaration& declaration) {
     return nullptr;
 }
 
-/// Operations of the component that contains the place are preferred to functions.
+/// Finds the called operation or function. Prefers operations of the component that contains the place.
 const Declaration* find_callee(Project& project, const Document& document, std::uint32_t offset,
                                const std::string& name) {
     const File& file = project.tree_of(document);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outlines of documents, and the search for names over all projects.
+// Makes outlines of documents, and searches for names in all projects.
 #include <algorithm>
 #include <cctype>
 
@@ -18,7 +18,7 @@ void add_all(std::vector<const Declaration*>& list, const Items& items) {
     for (const auto& item : items) list.push_back(&*item);
 }
 
-/// The declarations inside a declaration, in textual order; members of interfaces are not included.
+/// Returns the declarations inside a declaration, in textual order, without members of interfaces.
 std::vector<const Declaration*> inner_declarations(const Declaration& declaration) {
     std::vector<const Declaration*> list;
     if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) {
@@ -44,15 +44,15 @@ std::vector<const Declaration*> inner_declarations(const Declaration& declaratio
     return list;
 }
 
-/// The span of the declaration with everything inside it: in text with errors, a part may extend beyond the end of the
-/// whole.
+/// Returns the span of the declaration together with its parts, because in text with errors, a part may extend beyond
+/// the end of the declaration.
 Span full_extent(const Declaration& declaration) {
     Span result = join_spans(declaration.span, declaration.name_span);
     for (const Declaration* inner : inner_declarations(declaration)) result = join_spans(result, full_extent(*inner));
     return result;
 }
 
-/// The recursion is bounded, because the parser limits nesting.
+/// Converts a declaration to a DocumentSymbol. The recursion is bounded, because the parser limits nesting.
 Json document_symbol(const PositionTable& positions, const Declaration& declaration) {
     Json result = Json::object({{"name", declaration.name},
                                 {"detail", detail_of(declaration)},

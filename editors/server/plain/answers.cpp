@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The findings about scenarios, mappings and swarms, and the answers to requests.
+// Reports the findings about scenarios, mappings and swarms, and answers requests.
 #include "editors/server/plain/plain_texts.hpp"
 
 namespace robochart::lsp {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> languages = {"scenario", "ros2", "swarm"};
 
-/// The language of a document; "" if it is not one of these languages.
+/// Returns the language of a document; "" if it is not one of these languages.
 std::string_view language_of(std::string_view uri, std::string_view language) {
     for (const std::string_view known : languages)
         if (language == known || (uri.ends_with(known) && uri.substr(0, uri.size() - known.size()).ends_with('.')))
@@ -23,7 +23,7 @@ std::string_view language_of(std::string_view uri, std::string_view language) {
     return {};
 }
 
-/// The findings about a text in the language of a document.
+/// Returns the findings about a text in the language of a document.
 diagnostics::Diagnostics read(const TextDocument& document, const SourceManager& sources, SourceId source,
                               diagnostics::Budget* budget) {
     const std::string_view language = language_of(document.uri, document.language_id);
@@ -35,7 +35,7 @@ diagnostics::Diagnostics read(const TextDocument& document, const SourceManager&
     return found;
 }
 
-/// The quoted words of a message: 'a', 'b' or 'c'.
+/// Returns the quoted words of a message such as "'a', 'b' or 'c'".
 std::vector<std::string> quoted_words(std::string_view text) {
     std::vector<std::string> result;
     for (std::size_t at = text.find('\''); at != std::string_view::npos; at = text.find('\'', at)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenarios, mappings to ROS 2 and swarms that an editor has open. Each file is checked separately. `simulate`, `emit
-// cpp` and `check` report names that the model does not declare.
+// Reads the scenarios, mappings to ROS 2 and swarms that an editor has open. Each file is checked separately. Names
+// that the model does not declare are reported only by `simulate`, `emit cpp` and `check`.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ protected:
 
 private:
     [[nodiscard]] const diagnostics::Diagnostics& diagnostics_of(TextDocument& document);
-    /// The words that the parser would accept at an offset, found by parsing the text before the offset.
+    /// Returns the words that the parser would accept at an offset, found by parsing the text before the offset.
     [[nodiscard]] std::vector<std::string> words_at(const TextDocument& document, std::uint32_t offset) const;
 };
 

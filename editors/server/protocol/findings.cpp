@@ -29,7 +29,8 @@ int severity_number(Severity severity) {
     return 3;
 }
 
-/// LSP requires a place for every related message, so notes without one become part of the message.
+/// Returns the message of a finding. LSP requires a place for every related message, so notes without a place become
+/// part of the message.
 std::string message_of(const Diagnostic& finding) {
     std::string text = finding.message();
     for (const diagnostics::Note& note : finding.notes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// State shared by the reader thread and the server: pending messages, cancelled requests, the end of input.
+// Keeps the state that the reader thread and the server share: pending messages, cancelled requests, the end of input.
 #include "editors/server/protocol/interruption.hpp"
 
 #include <algorithm>
@@ -48,8 +48,8 @@ void Interruption::note_handled(View message) {
     changes_ = std::max(changes_, handled_);  // needed if no thread reads ahead
 }
 
-/// A request is answered from the texts at the time of the request, even if a change is already waiting. Findings that
-/// the editor did not request are useless in this case.
+/// Begins work. A request is answered from the texts at the time of the request, even if a change is already waiting.
+/// Work without a request computes findings, which are useless if a change is waiting.
 Interruption::Work::Work(Interruption& interruption, const Json& id) : interruption_(interruption) {
     const std::lock_guard lock(interruption_.mutex_);
     interruption_.working_ = true;

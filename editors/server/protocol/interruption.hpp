@@ -19,13 +19,13 @@ class Interruption {
 public:
     enum class Reason { none, cancelled, modified, leaving };
 
-    // For the reader thread:
+    // Called by the reader thread:
     /// Records that a message has arrived. The message may end the current work before it is handled.
     void note_arrival(View message);
     /// Records that the input has ended.
     void input_ended();
 
-    // For the thread that works:
+    // Called by the working thread:
     /// While the object exists, the server works on the request with this id, or without a request (null).
     class Work {
     public:
@@ -39,7 +39,7 @@ public:
     };
     /// Must be called before a message is handled.
     void note_handled(View message);
-    /// The reason why the current work should end.
+    /// Returns the reason why the current work should end.
     [[nodiscard]] Reason current_reason() const;
     /// True if a request with this id must not be started.
     [[nodiscard]] bool is_cancelled(const Json& id) const;

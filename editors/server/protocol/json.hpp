@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON of the protocol. Messages are built as diagnostics::Json. Received messages are parsed within bounds and
+// Reads JSON of the protocol. Messages are built as diagnostics::Json. Received messages are parsed within bounds and
 // accessed without assumptions about their structure, because an editor may send anything.
 #pragma once
 

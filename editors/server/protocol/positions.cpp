@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See positions.hpp. A byte that is not UTF-8 counts as one unit, because editors show one replacement character for
-// it.
+// See positions.hpp. A byte that is not UTF-8 is one unit, because editors show one replacement character for it.
 #include "editors/server/protocol/positions.hpp"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace robochart::lsp {
 
 namespace {
 
-/// The number of code units of a well-formed sequence, or of an invalid byte, of this length.
+/// Returns the number of code units of a well-formed sequence of this length, or of an invalid byte.
 std::size_t code_units(std::size_t bytes, Encoding encoding) {
     if (encoding == Encoding::utf8) return bytes;
     return encoding == Encoding::utf16 && bytes == 4 ? 2 : 1;
@@ -22,7 +21,7 @@ std::size_t character_length(std::string_view text) {
     return std::max<std::size_t>(1, diagnostics::utf8_length(text));
 }
 
-/// The number of code units of the characters that end at or before `end`.
+/// Returns the number of code units of the characters that end at or before `end`.
 std::size_t count(std::string_view line, std::size_t end, Encoding encoding) {
     std::size_t total = 0;
     for (std::size_t at = 0; at < line.size();) {
@@ -34,7 +33,7 @@ std::size_t count(std::string_view line, std::size_t end, Encoding encoding) {
     return total;
 }
 
-/// The number of bytes before a column; a column inside a character is its beginning.
+/// Returns the number of bytes before a column. A column inside a character means the beginning of this character.
 std::size_t bytes_before(std::string_view line, std::int64_t column, Encoding encoding) {
     std::size_t at = 0;
     std::int64_t counted = 0;
@@ -67,7 +66,7 @@ PositionTable::PositionTable(const SourceManager& sources, SourceId source, Enco
     constexpr std::uint32_t spacing = 1024;
     for (std::uint32_t number = 1;; ++number) {
         const std::string_view line = sources.line_text(source, number);
-        if (line.data() == nullptr) break;  // this number is after the last line
+        if (line.data() == nullptr) break;  // the line number is after the last line
         const auto begin = static_cast<std::uint32_t>(line.data() - text_.data());
         lines_.push_back({begin, begin + static_cast<std::uint32_t>(line.size())});
     }
@@ -81,7 +80,7 @@ PositionTable::PositionTable(const SourceManager& sources, SourceId source, Enco
     }
 }
 
-/// The number of code units of the characters of the text that end at or before an offset.
+/// Returns the number of code units of the characters in the text that end at or before an offset.
 std::uint32_t PositionTable::units_before(std::uint32_t offset) const {
     const auto after = std::ranges::upper_bound(marks_, offset, {}, &Mark::offset);
     const Mark& mark = *std::prev(after);

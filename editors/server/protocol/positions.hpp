@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions as in LSP 3.17 (Position): lines and columns from 0; columns count code units of the negotiated encoding.
+// Converts offsets to positions of LSP 3.17 (Position), and back. Lines and columns are numbered from 0, and columns
+// are measured in code units of the negotiated encoding.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +19,19 @@ using diagnostics::Span;
 /// The unit of a column.
 enum class Encoding { utf8, utf16, utf32 };
 
-/// `{line, character}` of a byte offset.
+/// Returns `{line, character}` of a byte offset.
 [[nodiscard]] Json lsp_position(const SourceManager&, SourceId, std::uint32_t offset, Encoding);
-/// `{start, end}` of a span.
+/// Returns `{start, end}` of a span.
 [[nodiscard]] Json lsp_range(const SourceManager&, Span, Encoding);
-/// The positions of many offsets of one text. The text is read once, so an offset far into a long line costs no more
-/// than others. The text must outlive the table.
+/// Computes the positions of many offsets of one text. The text is read once, so an offset far into a long line costs
+/// no more than others. The text must outlive the table.
 class PositionTable {
 public:
     PositionTable(const SourceManager&, SourceId, Encoding);
 
-    /// The line of a byte offset, from 0.
+    /// Returns the line of a byte offset, from 0.
     [[nodiscard]] std::uint32_t line(std::uint32_t offset) const;
-    /// Like the functions above. For a span of another text, calls these functions.
+    /// Like the functions above, which are called for a span of another text.
     [[nodiscard]] Json lsp_position(std::uint32_t offset) const;
     [[nodiscard]] Json lsp_range(Span) const;
     /// The number of bytes that `position` has read so far, for tests.
@@ -38,9 +39,9 @@ public:
 
 private:
     struct Line {
-        std::uint32_t begin = 0, end = 0;  ///< without its line end
+        std::uint32_t begin = 0, end = 0;  ///< bounds of the line, without its line end
     };
-    /// The number of code units before a character, about every 1,000 bytes.
+    /// A character and the number of code units before it. There is about one mark per 1,000 bytes.
     struct Mark {
         std::uint32_t offset = 0;
         std::uint32_t units = 0;
@@ -56,9 +57,9 @@ private:
     mutable std::uint64_t bytes_read_ = 0;
 };
 
-/// The byte offset of `{line, character}`. A position beyond the end of a line or of the text is that end.
+/// Returns the byte offset of `{line, character}`. A position beyond the end of a line or of the text means this end.
 [[nodiscard]] std::uint32_t offset_of(const SourceManager&, SourceId, View position, Encoding);
-/// The span of `{start, end}`; the ends may be in either order.
+/// Returns the span of `{start, end}`; the ends may be in either order.
 [[nodiscard]] Span span_of(const SourceManager&, SourceId, View range, Encoding);
 
 }  // namespace robochart::lsp

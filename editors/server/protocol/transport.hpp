@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages on a byte stream (LSP 3.17, base protocol): `Content-Length: N`, an empty line, N bytes.
+// Reads and writes messages on a byte stream (LSP 3.17, base protocol): `Content-Length: N`, an empty line, N bytes.
 #pragma once
 
 #include <iosfwd>
@@ -18,7 +18,7 @@ struct Frame {
     std::string text;  ///< the message, or the description of a fault
 };
 
-/// Splits a stream into frames. After a fault, reading continues at the next header; the bytes between are dropped.
+/// Splits a stream into frames. After a fault, reading continues at the next header; the bytes before it are dropped.
 class FrameReader {
 public:
     explicit FrameReader(std::istream& in) : in_(in) {}
@@ -35,7 +35,7 @@ private:
     std::size_t length_ = 0;
     bool has_length_ = false;
     std::string rejected_;  ///< the reason why a complete message is rejected
-    bool lost_ = false;     ///< after a fault: searching for the next header
+    bool lost_ = false;     ///< true after a fault, until the next header is found
 };
 
 /// Writes one message and flushes.

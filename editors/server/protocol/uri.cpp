@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Percent decoding and encoding of file URIs.
+// Decodes and encodes file URIs (percent encoding).
 #include "editors/server/protocol/uri.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths and file URIs (RFC 3986, RFC 8089).
+// Converts between paths and file URIs (RFC 3986, RFC 8089).
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace robochart::lsp {
 
-/// `file:///a%20b` as a path; URIs with other schemes are returned unchanged.
+/// Returns a URI such as `file:///a%20b` as a path. URIs with other schemes are returned unchanged.
 [[nodiscard]] std::string path_of_uri(std::string_view uri);
 [[nodiscard]] std::string uri_of_path(std::string_view path);
 

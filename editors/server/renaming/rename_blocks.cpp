@@ -46,7 +46,7 @@ std::vector<Edit> candidate_edits(Project& project, const std::string& old_name,
     return result;
 }
 
-/// The number of errors in the project's texts, including blocks, after these edits.
+/// Returns the number of errors in the project's texts, including blocks, after these edits.
 std::size_t errors_after(Project& project, std::vector<Edit> edits, diagnostics::Budget* budget) {
     std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
     SourceManager sources;

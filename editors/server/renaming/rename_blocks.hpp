@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renames names of the model in CSP blocks when the model's names are renamed.
+// Changes names in CSP blocks when the names are renamed in the model.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace robochart::lsp {
 
-/// The edits of CSP blocks that these edits of the model require: parts of qualified names, and names that the script
-/// derives (`moveCall`, `set_x`). No value if the blocks would have errors after the edits. Empty if no block contains
-/// the name.
+/// Returns the edits of CSP blocks that these edits of the model require. They change parts of qualified names, and
+/// names that the script derives (`moveCall`, `set_x`). Returns no value if the blocks would have errors after the
+/// edits. The list is empty if no block contains the name.
 [[nodiscard]] std::optional<std::vector<Edit>> edits_of_blocks(Project&, const std::string& old_name,
                                                                const std::string& new_name,
                                                                const std::vector<Edit>& edits_of_model,

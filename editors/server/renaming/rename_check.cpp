@@ -48,8 +48,7 @@ void read(Copy& copy, Project& project, const std::vector<Edit>& edits) {
     frontend::resolve(copy.model, copy.findings);
 }
 
-/// The meaning of a name in a form that does not depend on the copy: the number of the name that declares it, or its
-/// text.
+/// The meaning of a name in a form that does not depend on the copy: the number of the declaring name, or the text.
 struct Meaning {
     frontend::NameKind kind;
     std::size_t declared_at;
@@ -89,7 +88,7 @@ std::map<std::string_view, std::size_t> count_by_rule(const std::vector<const di
     return result;
 }
 
-/// A finding that did not exist before; "" if there is none.
+/// Returns a finding that did not exist before; "" if there is none.
 std::string new_finding(Project& project, const Copy& copy) {
     std::vector<const diagnostics::Diagnostics*> lists{&project.current_findings()};
     for (const auto& [path, document] : project.documents()) lists.push_back(&document->findings);

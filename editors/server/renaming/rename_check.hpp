@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks on a copy of the project whether a renaming preserves the meaning of every name, before the editor gets the
-// answer.
+// Checks on a copy of the project, before the editor gets the answer, whether a renaming preserves the meaning of every
+// name.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct Edit {
     std::string text;
 };
 
-/// The problem that these edits of names would cause. "" if every name has the same meaning as before and the rules
-/// report the same findings.
+/// Returns a problem that these edits of names would cause. Returns "" if every name would have the same meaning as
+/// before and the rules would report the same findings.
 [[nodiscard]] std::string harm_of(Project&, const std::vector<Edit>& edits);
 
 }  // namespace robochart::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The findings about rule files, and the answers to requests.
+// Reports the findings about rule files, and answers requests.
 #include "claims/sleec/syntax/format.hpp"
 #include "editors/server/documents/text_difference.hpp"
 #include "editors/server/sleec/rule_completion.hpp"

@@ -24,7 +24,7 @@ constexpr int constant = 21;
 constexpr int event = 23;
 }  // namespace completion_kinds
 
-/// Uses the tokens before the place, because the text usually has errors while it is written.
+/// Completes a text from the tokens before the place, because a text that is being written usually has errors.
 class RuleCompleter {
 public:
     RuleCompleter(const TextDocument& document, const RuleFile& file, const ClaimedModels* models, std::uint32_t offset,
@@ -154,7 +154,7 @@ private:
     const ClaimedModels* models_;
     NamePlace place_;
     std::vector<Token> before_;  ///< the tokens before the place
-    bool inside_ = false;        ///< inside a comment or a number
+    bool inside_ = false;        ///< true inside a comment or a number
     Json range_;
     Json items_ = Json::array();
     std::set<std::string> seen_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and words of a rule file by place, and its outline.
+// Finds the names and words at places in a rule file, and makes its outline.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ struct RuleName {
     Span span;
     Span declared;  ///< the place of its declaration in the file; unknown if there is none
 };
-/// The word at or directly before an offset.
+/// Returns the word at or directly before an offset.
 [[nodiscard]] std::optional<RuleName> rule_name_at(const TextDocument&, const sleec::RuleFile&, std::uint32_t offset);
-/// A description of the name: its declaration and the rules that mention it. For a keyword, its meaning. "" if the word
-/// is unknown.
+/// Describes a name by its declaration and the rules that mention it, and a keyword by its meaning. Returns "" if the
+/// word is unknown.
 [[nodiscard]] std::string about_rule_name(const sleec::RuleFile&, const RuleName&, bool markdown);
 
-/// The outline of definitions, rules, concerns and purposes, as DocumentSymbols, or as SymbolInformation for editors
-/// that do not support DocumentSymbols.
+/// Returns the outline of definitions, rules, concerns and purposes, as DocumentSymbols, or as SymbolInformation for
+/// editors that do not support DocumentSymbols.
 [[nodiscard]] Json rule_outline(const TextDocument&, const sleec::RuleFile&, const Client&);
 
 }  // namespace robochart::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The SLEEC rule files that an editor has open. Each file is checked separately.
+// Reads the SLEEC rule files that an editor has open. Each file is checked separately.
 #pragma once
 
 #include <memory>
@@ -33,7 +33,7 @@ public:
     using OpenTexts::OpenTexts;
 
     [[nodiscard]] bool accepts(std::string_view uri, std::string_view language_id) const override;
-    /// The rules of all files in a folder, each with the name of its file. Open texts override those on disk.
+    /// Returns the rules of all files in a folder, each with the name of its file. Open texts override files on disk.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> names_in(const std::string& folder);
 
     [[nodiscard]] Json completion(const Request&) override;

@@ -68,7 +68,7 @@ std::string reference_text(const Reference& reference) {
     return fmt::format("{} {} = {}", reference_word(reference.refers_to), reference.name, reference.target_name.text());
 }
 
-/// The keyword that begins the declaration.
+/// Returns the keyword that begins the declaration.
 std::string_view keyword_of(DeclKind kind) {
     if (kind == DeclKind::state_machine) return "stm";
     if (kind == DeclKind::platform) return "robotic platform";
@@ -131,7 +131,7 @@ std::string_view trim_text(std::string_view text) {
     return text;
 }
 
-/// The text of a comment, without comment marks and the stars of a boxed comment.
+/// Returns the text of a comment, without comment marks and the stars of a boxed comment.
 std::string words_of(std::string_view comment) {
     if (comment.starts_with("//")) return std::string(trim_text(comment.substr(2)));
     comment.remove_prefix(std::min<std::size_t>(2, comment.size()));

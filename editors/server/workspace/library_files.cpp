@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches the folders above the program for the libraries: installed files, or those of the source tree.
+// Searches the folders above the program for the libraries, either as installed files or in the source tree.
 #include "editors/server/workspace/library_files.hpp"
 
 #include <array>

@@ -8,7 +8,7 @@
 
 namespace robochart::lsp {
 
-/// All occurrences in the project with the same target as this one, including this occurrence, sorted by place.
+/// Returns all occurrences in the project with the same target as this occurrence, which is included, sorted by place.
 [[nodiscard]] std::vector<const frontend::Occurrence*> same_name(Project&, const frontend::Occurrence&);
 
 }  // namespace robochart::lsp

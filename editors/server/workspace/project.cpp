@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One project: keeps texts, trees and the resolved model up to date.
+// Keeps the texts, trees and the resolved model of one project up to date.
 #include <algorithm>
 #include <filesystem>
 
@@ -105,7 +105,7 @@ void Project::drop_results(Document& document) {
     documents_.erase(std::string(document.path));
 }
 
-/// The new tree replaces the old one. Files stay sorted by path, as when a project is loaded.
+/// Parses a document and replaces its old tree. Files stay sorted by path, as when a project is loaded.
 void Project::parse(Document& document) {
     document.findings = {};
     document.findings.set_budget(budget_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The place in a project that a request is about.
+// Describes the place in a project that a request is about.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,10 @@ struct Target {
     std::uint32_t offset = 0;
 };
 
-/// The findings about the target's document, sorted by place; parse errors come first.
+/// Returns the findings about the target's document: parse errors, then other findings, then findings about CSP blocks,
+/// each sorted by place.
 [[nodiscard]] std::vector<diagnostics::Diagnostic> findings_about(const Target&);
-/// `{uri, range}` of a span of the project; null if it is in no file.
+/// Returns `{uri, range}` of a span of the project; null if the span is in no file.
 [[nodiscard]] Json lsp_location(const Session&, Project&, Span);
 
 }  // namespace robochart::lsp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Enumerates the visible names: first from the place outwards, then those of the package, of imports, and qualified
-// names.
+// Enumerates the visible names: first from the place outwards, then names of the package, names of imports, and
+// qualified names.
 #include "editors/server/workspace/visible.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ bool imports_one(const File& file, const std::string& full_name) {
         file.imports, [&](const Import& import) { return !import.wildcard && import.name.text() == full_name; });
 }
 
-/// The declaration `A::B` after a package name of `first` parts; null if there is none.
+/// Returns the declaration `A::B` after a package name of `first` parts; null if there is none.
 const Declaration* declaration_along(const std::vector<const Declaration*>& start, const std::vector<std::string>& path,
                                      std::size_t first) {
     const auto found =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names that can be written at a place (language reference 1.3).
+// Finds the names that can be written at a place (language reference 1.3).
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace robochart::lsp {
 
-/// The declaration whose name has this span; null if there is none.
+/// Returns the declaration whose name has this span; null if there is none.
 [[nodiscard]] const frontend::Declaration* declared_at(const frontend::File&, Span name);
-/// The declarations of other files that are visible in a file without qualification: those of its package, of its
-/// imports, and of unnamed packages. Literals of visible enumerations are included.
+/// Returns the declarations of other files that are visible in a file without qualification: those of its package, of
+/// its imports, and of unnamed packages. Literals of visible enumerations are included.
 [[nodiscard]] std::vector<const frontend::Declaration*> visible_from(const frontend::Model&, const frontend::File&);
-/// The declarations that may follow `A::B::`.
+/// Returns the declarations that may follow `A::B::`.
 [[nodiscard]] std::vector<const frontend::Declaration*> declarations_after(const frontend::Model&,
                                                                            const frontend::File&,
                                                                            const std::vector<std::string>& qualifier);
-/// The parts of package names that may follow `A::` or begin a name.
+/// Returns the parts of package names that may follow `A::` or begin a name.
 [[nodiscard]] std::vector<std::string> packages_behind(const frontend::Model&,
                                                        const std::vector<std::string>& qualifier);
 

@@ -40,7 +40,7 @@ void Workspace::remove_folder(const std::string& path) {
     if (std::erase(folders_, plain_folder(path)) > 0) rebuild_projects();
 }
 
-/// Assigns all files again. Open texts are not lost.
+/// Assigns all files again, without losing open texts.
 void Workspace::rebuild_projects() {
     const std::vector<std::unique_ptr<Project>> before = std::exchange(projects_, {});
     for (const std::string& folder : folders_)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The projects that an editor has open: folders, their files on disk, and the open texts that override them.
+// Manages the projects that an editor has open: folders, their files on disk, and the open texts that override these
+// files.
 #pragma once
 
 #include <map>
@@ -22,7 +23,7 @@ namespace robochart::lsp {
 struct Document : TextDocument {
     using TextDocument::TextDocument;
     bool is_assertions = false;
-    bool stale = true;                  ///< the text changed since it was parsed
+    bool stale = true;                  ///< true if the text changed since it was parsed
     frontend::File* tree = nullptr;     ///< the tree in the project's model, after parsing
     diagnostics::Diagnostics findings;  ///< the findings of the parser
 };
@@ -31,7 +32,7 @@ struct Document : TextDocument {
 /// updates it: only changed files are read and parsed again, and only affected parts are resolved again.
 class Project {
 public:
-    /// An empty folder name means texts without a place on disk. Updates of the model poll the budget, if given. If the
+    /// If the folder name is empty, the texts are not on disk. Updates of the model poll the budget, if given. If the
     /// budget ends an update, the next access repeats it.
     explicit Project(std::string folder, diagnostics::Budget* budget = nullptr)
         : folder_(std::move(folder)), budget_(budget) {}
@@ -46,22 +47,22 @@ public:
     /// Sets the editor's text of a file; adds the file if it is new.
     Document& open_document(const std::string& path, std::string uri, std::string text);
     void change(Document& document, std::string text);
-    /// Returns to the text on disk; a file that is not on disk is removed from the project.
+    /// Uses the text on disk again. A file that is not on disk is removed from the project.
     void close(Document& document);
     /// Reads a file that is not open from disk again.
     void refresh_file(const std::string& path);
 
     [[nodiscard]] const SourceManager& sources() const { return sources_; }
     [[nodiscard]] const frontend::Model& current_model();
-    /// Findings about names, types and rules; the documents have the parse errors.
+    /// Returns the findings about names, types and rules. Parse errors are stored in the documents.
     [[nodiscard]] const diagnostics::Diagnostics& current_findings();
-    /// Findings about CSP blocks.
+    /// Returns the findings about CSP blocks.
     [[nodiscard]] const diagnostics::Diagnostics& block_findings();
-    /// All names, sorted by place.
+    /// Returns all occurrences of names, sorted by place.
     [[nodiscard]] const std::vector<frontend::Occurrence>& current_occurrences();
-    /// The name at or directly before an offset; null if there is none.
+    /// Returns the name at or directly before an offset; null if there is none.
     [[nodiscard]] const frontend::Occurrence* occurrence_at(SourceId source, std::uint32_t offset);
-    /// The current tree of a document.
+    /// Returns the current tree of a document.
     [[nodiscard]] const frontend::File& tree_of(const Document& document);
 
     /// True if something changed since the last call.
@@ -83,7 +84,7 @@ private:
     diagnostics::Diagnostics findings_;
     std::optional<std::vector<frontend::Occurrence>> occurrences_;
     std::optional<diagnostics::Diagnostics> block_findings_;
-    bool current_ = false;  ///< model_ and findings_ belong to the current texts
+    bool current_ = false;  ///< true if model_ and findings_ belong to the current texts
     bool news_ = false;
 };
 
@@ -107,7 +108,7 @@ public:
     [[nodiscard]] const std::vector<std::unique_ptr<Project>>& projects() const { return projects_; }
 
 private:
-    /// The workspace folder that contains a path, the innermost if there are several; "" if there is none.
+    /// Returns the workspace folder that contains a path, or the innermost if there are several; "" if there is none.
     [[nodiscard]] std::string folder_around(const std::string& path) const;
     [[nodiscard]] std::string root_of(const std::string& path) const;
     Project& project_at(const std::string& root);

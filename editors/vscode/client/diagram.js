@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page around a diagram, and the element at a place. This file does not use the API of VS Code, so Node can test it
-// alone.
+// Makes the page around a diagram, and finds the element at a place. This file does not use the API of VS Code, so Node
+// can test it alone.
 "use strict";
 
 const compare = (a, b) => a.line - b.line || a.character - b.character;

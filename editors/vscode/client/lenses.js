@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lenses above assertions: "check", then the verdict, and "steps" if the assertion fails. A verdict applies only to
-// the texts that were checked, so any change of a text removes it.
+// Shows the lenses above assertions: "check", then the verdict, and "steps" if the assertion fails. A verdict applies
+// only to the texts that were checked, so any change of a text removes the verdict.
 "use strict";
 
 class Lenses {

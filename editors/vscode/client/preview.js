@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagram next to the text: a page that follows the cursor in the editors of models. The server draws the diagram.
+// Shows the diagram next to the text, in a page that follows the cursor in the editors of models. The server draws the
+// diagram.
 "use strict";
 
 const crypto = require("node:crypto");
