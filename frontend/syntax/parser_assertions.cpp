@@ -30,7 +30,7 @@ bool Parser::at_kept_part() const {
 bool Parser::at_claim() const {
     if (!peek().first_on_line) return false;
     if (at_word("unit")) return !peek(1).text.empty() && peek(1).text[0] >= '0' && peek(1).text[0] <= '9';
-    const bool named = peek(1).kind == TokenKind::identifier && (at_word(":", 2) || at_word("of", 2));
+    const bool named = peek(1).kind == TokenKind::identifier && (peek(2).is_word(":") || at_word("of", 2));
     return named && (at_word("claim") || at_word("assume") || at_word("order"));
 }
 
