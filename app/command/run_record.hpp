@@ -89,7 +89,7 @@ public:
     void add_input_file(const std::string& path);
     void add_constants(const std::vector<RecordedConstant>&);
     void add_ranges(const std::vector<RecordedRange>&);
-    /// Removes the constant with this name, or the range of this type, of the model.
+    /// Remove one constant, or the range of one type, of this model.
     void remove_constant(const std::string& model, const std::string& name);
     void remove_range(const std::string& model, const std::string& type);
     /// Removes all constants and ranges. Called before another instantiation is recorded.

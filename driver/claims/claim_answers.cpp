@@ -101,7 +101,8 @@ private:
         }
     }
 
-    /// Decides whether time can stop while a response is pending. This breaks the claim even if no run breaks it.
+    /// Decides whether time can stop while a response is pending. In this case, the claim is broken although no run
+    /// violates it.
     void decide_standstill() {
         const refine::Verdict verdict = check(scripted_.decision.standstill);
         report_.statistics.states = std::max(report_.statistics.states, verdict.statistics.states);

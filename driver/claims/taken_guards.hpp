@@ -15,7 +15,7 @@
 
 namespace robochart::driver {
 
-/// The conditions of one script that read clocks.
+/// The conditions that read clocks, for one untimed script.
 class TakenGuards {
 public:
     /// For a timed script, the object has no conditions.

@@ -34,7 +34,7 @@ struct Question {
     std::vector<std::size_t> rules;  ///< numbers in the file: judged rules, then assumptions
     std::size_t judged = 0;          ///< number of rules that are judged, that is, must take part in a conflict
     std::vector<std::vector<Obligation>> obligations;  ///< for each rule, the obligations of all samples
-    std::vector<Occurrence> occurrences;               ///< for each event that a rule names
+    std::vector<Occurrence> occurrences;               ///< one or more for each event that a rule names
 
     [[nodiscard]] const Obligation& find_obligation(const OpenObligation& open) const {
         return obligations[open.rule][open.kind];

@@ -39,7 +39,7 @@ const ClaimReading& ClaimTexts::reading_of(TextDocument& document) {
     return *known;
 }
 
-/// Resolves the text together with the other claims files of its folder; open texts override those on disk. Only
+/// Resolves the text together with the other claims files of its folder. Open texts override files on disk. Only
 /// findings about this text are reported.
 void ClaimTexts::resolve(const TextDocument& document, ClaimReading& reading) {
     SourceManager& sources = document.sources;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows counterexamples in the texts. A failure is a problem at its assertion, and the related places of the problem are
-// the steps of the run. The steps are also shown as a list that leads through the texts.
+// Shows counterexamples in the texts. A failure is a problem at its assertion, and the related places of the problem
+// are the steps of the run. The steps are also shown as a list that leads through the texts.
 "use strict";
 
 const vscode = require("vscode");
