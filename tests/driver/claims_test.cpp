@@ -300,6 +300,16 @@ TEST(Claims, SayWhatIsNeverAsked) {
     EXPECT_THAT(answers.basis("Asked"), Not(Contains(HasSubstr("never asked"))));
 }
 
+TEST(Claims, AreReadInAssertionFilesWithoutAComponent) {
+    const LoadResult loaded =
+        load_texts({{"m.rct",
+                     "stm M { event e initial i state A { } transition t { from i to A } "
+                     "transition u { from A to A trigger e } }"},
+                    {"a.assertions", "assertion Free : M is deadlock-free\nclaim Back : never e\n"}});
+    ASSERT_TRUE(loaded.model) << loaded.text;
+    EXPECT_THAT(loaded.text, HasSubstr("RC-P39"));
+}
+
 TEST(Claims, AreReadInAssertionFilesWithAWarning) {
     LoadResult loaded = load_texts({{"patrol.rct", robots},
                                     {"a.assertions",
