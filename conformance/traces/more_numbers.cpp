@@ -98,7 +98,9 @@ ir::Instantiation with_more_numbers(const ir::System& system, const ir::Instanti
     if (!numbers) return instantiation;
     ir::Instantiation result = between_constants(system, instantiation, *numbers);
     const auto adds = [](const ComparedSums& sums) { return sums.left.size() > 1 || sums.right.size() > 1; };
-    result.unbounded = std::ranges::any_of(numbers->sums, adds);
+    const DataIndependence& uses = numbers->uses;
+    const bool computes = std::ranges::max({uses.nat, uses.integer, uses.real}) == NumberUse::computed;
+    result.unbounded = computes || std::ranges::any_of(numbers->sums, adds);
     return result;
 }
 

@@ -11,8 +11,8 @@ namespace robochart::conformance {
 
 /// Adds reals to the instantiation: numbers between, below and above the constants with which the component compares
 /// reals. The scale becomes finer, so that there are such numbers. Returns the unchanged instantiation if the component
-/// does not compare reals with constants, or if the numbers would be too large. Sums are not clipped if the component
-/// compares sums.
+/// does not compare reals with constants, or if the numbers would be too large. Results are not clipped if the
+/// component compares sums, or stores results: the next step back from a clipped result would go wrong.
 [[nodiscard]] ir::Instantiation with_more_numbers(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&);
 
 /// The same instantiation with a finer unit of reals: all reals are multiplied by the factor.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "checker/cspm/eval/evaluation_error.hpp"
 #include "conformance/model/provenance_text.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/files/trace_names.hpp"
@@ -219,11 +220,23 @@ private:
             if (token.text == "run" || token.text == "late" || token.text == "lost")
                 fault_here("one event after the other");
             // Words after a verdict are still parsed, because syntax errors are always reported.
-            const Next next = check_word(token);
-            if (next == Next::stop) done_ = true;
+            if (follow_word(token) == Next::stop) done_ = true;
         }
         if (before_.size() == 3) before_.erase(before_.begin());
         before_.emplace_back(whole);
+    }
+
+    /// Checks a word. If the model has no next state because a value has left its carrier, the run is undecided.
+    Next follow_word(const TraceToken& token) {
+        try {
+            return check_word(token);
+        } catch (const cspm::EvaluationError& failed) {
+            record_place();
+            run_->verdict = RunVerdict::inconclusive;
+            run_->what = token.text;
+            run_->reason = fmt::format("a value leaves the finite instantiation of the model: {}", failed.what());
+            return Next::stop;
+        }
     }
 
     Next check_word(const TraceToken& token) {

@@ -82,12 +82,20 @@ constexpr Clipping clippings[] = {{ExprKind::plus, "Plus", "Plus"},          {Ex
                                   {ExprKind::times, "Mult", "RealMult"},     {ExprKind::divide, "Div", "RealDiv"},
                                   {ExprKind::modulus, "Modulus", "Modulus"}, {ExprKind::negate, "Neg", "Neg"}};
 
-/// The operation without clipping: its operator on numbers of the script. Null for the operators that are not the same
-/// on scaled reals.
-ExprPtr unclipped_operation(ExprKind kind, const b::Exprs& operands) {
-    if (kind == ExprKind::plus) return b::binary(Op::plus, operands.at(0), operands.at(1));
-    if (kind == ExprKind::minus) return b::binary(Op::minus, operands.at(0), operands.at(1));
-    return kind == ExprKind::negate ? b::negate(operands.at(0)) : nullptr;
+/// The operation without clipping. A real r is the number r * scale, so products are divided by the scale, and
+/// dividends are multiplied by it, as in the functions that clip (compose/instantiations.cpp).
+ExprPtr unclipped_operation(ExprKind kind, const b::Exprs& operands, std::int64_t scale) {
+    if (kind == ExprKind::negate) return b::negate(operands.at(0));
+    const ExprPtr& left = operands.at(0);
+    const ExprPtr& right = operands.at(1);
+    if (kind == ExprKind::plus) return b::binary(Op::plus, left, right);
+    if (kind == ExprKind::minus) return b::binary(Op::minus, left, right);
+    if (kind == ExprKind::modulus) return b::binary(Op::modulus, left, right);
+    if (kind == ExprKind::times) {
+        const ExprPtr product = b::binary(Op::times, left, right);
+        return scale == 1 ? product : b::binary(Op::divide, product, b::number(scale));
+    }
+    return b::binary(Op::divide, scale == 1 ? left : b::binary(Op::times, left, b::number(scale)), right);
 }
 
 const char* clipping_function(ExprKind kind, bool scaled_real) {
@@ -102,10 +110,10 @@ ExprPtr Translator::clipped_operation(ExprKind kind, b::Exprs operands, ir::Type
     // -3 is a literal and not an operation, because RoboTool's carriers contain every literal of the model with its
     // sign.
     if (kind == ExprKind::negate && operands.at(0)->kind == Op::integer) return b::number(-operands[0]->number);
-    if (project_.instantiation.unbounded)
-        if (const ExprPtr operation = unclipped_operation(kind, operands)) return operation;
+    const bool scaled = is_real(type) && scale() != 1;
+    if (project_.instantiation.unbounded) return unclipped_operation(kind, operands, scaled ? scale() : 1);
     operands.push_back(type_set(project_, type));
-    return b::call(clipping_function(kind, is_real(type) && scale() != 1), operands);
+    return b::call(clipping_function(kind, scaled), operands);
 }
 
 ExprPtr Translator::translate_arithmetic(const ir::Expr& expr) const {

@@ -405,6 +405,32 @@ stm M {
         1U);
 }
 
+/// A counter far beyond the numbers of the model counts back exactly: a clipped one would be low too early. After ten
+/// steps up and five down, five are left.
+TEST(Traces, CountersAreNotClipped) {
+    Replay replay(test::ModelFolder(R"(
+interface Events { event up event down event high : boolean }
+stm M {
+	uses Events
+	var n : int
+	initial i
+	state S { }
+	transition t0 { from i to S action n = 0 }
+	transition t1 { from S to S trigger up action n = n + 1 ; high ! ( n > 2 ) }
+	transition t2 { from S to S trigger down action n = n - 1 ; high ! ( n > 2 ) }
+}
+)")
+                      .path(),
+                  "M");
+    std::string ups = "run a\ntock\nup? high!false tock\nup? high!false tock\n";
+    for (int i = 3; i <= 10; ++i) ups += "up? high!true tock\n";
+    std::string downs;
+    for (int i = 9; i >= 3; --i) downs += "down? high!true tock\n";
+    EXPECT_EQ(replay.check_runs(ups + downs + "down? high!false tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs(ups + downs + "down? high!true tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs(ups + "down? high!false tock\n").rejected, 1U);
+}
+
 /// 1.1 - 0.6 is 0.5, but 0.5000000000000001 in the arithmetic of double: a robot may do either. The exact answer is
 /// accepted, the other one is not rejected.
 TEST(Traces, SumsWithinTheRoundingErrorAreNotRejected) {
