@@ -46,7 +46,7 @@ struct ModelComparison {
     TypeId type;                                    ///< the type of the value, one of ValueModel::types
     const Expr* expr = nullptr;                     ///< the comparison in the system of the model
     std::map<const Expr*, std::int64_t> constants;  ///< its constants: reals in units, other numbers unchanged
-    std::vector<bool> answers;                      ///< the truth value for each explored value of the type; empty for sequences
+    std::vector<bool> answers;  ///< the truth value for each explored value of the type; empty for sequences
 };
 
 /// A system whose numbers are literals of enumerations, one for each explored value.

@@ -32,7 +32,8 @@ enum class Carriers {
 };
 
 /// Returns the instantiation. It starts with RoboTool's defaults, widens them by the model's literals and constants,
-/// and then applies the user's options. Invalid options (unknown constant, empty range) are reported. The values of `set` take precedence over the options.
+/// and then applies the user's options. Invalid options (unknown constant, empty range) are reported. The values of
+/// `set` take precedence over the options.
 [[nodiscard]] Instantiation instantiate_system(const System&, const InstantiationOptions&, diagnostics::Diagnostics&,
                                                Carriers = Carriers::beyond, const SetConstants& set = {});
 
