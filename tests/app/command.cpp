@@ -36,10 +36,10 @@ void redirect(const char* path, int flags, int to) {
     redirect("stdin.txt", O_RDONLY, STDIN_FILENO);
     redirect("stdout.txt", O_WRONLY | O_CREAT, STDOUT_FILENO);
     redirect("stderr.txt", O_WRONLY | O_CREAT, STDERR_FILENO);
-    std::vector<char*> argv{const_cast<char*>(ROBOCHART_VERIFY)};
+    std::vector<char*> argv{const_cast<char*>(tests::command_path())};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
-    execv(ROBOCHART_VERIFY, argv.data());
+    execv(tests::command_path(), argv.data());
     _exit(127);
 }
 
@@ -85,7 +85,7 @@ Ran run_shell(const std::string& commands) {
         redirect("stdin.txt", O_RDONLY, STDIN_FILENO);
         redirect("stdout.txt", O_WRONLY | O_CREAT, STDOUT_FILENO);
         redirect("stderr.txt", O_WRONLY | O_CREAT, STDERR_FILENO);
-        setenv("verify", ROBOCHART_VERIFY, 1);
+        setenv("verify", tests::command_path(), 1);
         execl("/bin/sh", "sh", "-c", commands.c_str(), nullptr);
     };
     return run_child(

@@ -11,6 +11,7 @@
 #include "tests/app/command.hpp"
 #include "tests/app/documents/document.hpp"
 #include "tests/contents.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::app::testing {
 namespace {
@@ -56,7 +57,7 @@ void run_session(const std::string& document, const Folder& folder, const ShownS
 /// Sets up the environment of a reader: the command on the path, and the models of the repository.
 void furnish(const Folder& folder) {
     fs::create_directories(folder / "bin");
-    fs::create_symlink(ROBOCHART_VERIFY, folder / "bin/robochart-verify");
+    fs::create_symlink(tests::command_path(), folder / "bin/robochart-verify");
     fs::copy(repository("corpus"), folder / "corpus", fs::copy_options::recursive);
 }
 

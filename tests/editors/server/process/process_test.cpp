@@ -13,6 +13,7 @@
 
 #include "editors/server/protocol/json.hpp"
 #include "tests/editors/server/answer.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::lsp {
 namespace {
@@ -33,7 +34,7 @@ public:
             dup2(to[0], STDIN_FILENO);
             dup2(from[1], STDOUT_FILENO);
             for (const int descriptor : {to[0], to[1], from[0], from[1]}) close(descriptor);
-            execl(ROBOCHART_VERIFY, ROBOCHART_VERIFY, "lsp", argument, nullptr);
+            execl(tests::command_path(), tests::command_path(), "lsp", argument, nullptr);
             _exit(127);
         }
         close(to[0]);
