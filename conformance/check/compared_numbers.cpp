@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cpp_emit/runtime/runtime.hpp"
+#include "semantics/ir/comparison.hpp"
 #include "semantics/ir/numbers.hpp"
 
 namespace robochart::conformance {
@@ -86,14 +87,8 @@ template <class Number>
 std::optional<ComparedNumbers> compared(ir::ExprKind kind, const std::optional<Number>& left,
                                         const std::optional<Number>& right) {
     if (!left || !right) return std::nullopt;
-    ComparedNumbers result{fmt::format("{}", *left), fmt::format("{}", *right)};
-    if (kind == ir::ExprKind::equal) result.answer = *left == *right;
-    if (kind == ir::ExprKind::not_equal) result.answer = *left != *right;
-    if (kind == ir::ExprKind::less) result.answer = *left < *right;
-    if (kind == ir::ExprKind::less_equal) result.answer = *left <= *right;
-    if (kind == ir::ExprKind::greater) result.answer = *left > *right;
-    if (kind == ir::ExprKind::greater_equal) result.answer = *left >= *right;
-    return result;
+    return ComparedNumbers{fmt::format("{}", *left), fmt::format("{}", *right),
+                           ir::comparison_answer(kind, *left <=> *right)};
 }
 
 }  // namespace

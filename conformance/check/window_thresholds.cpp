@@ -17,6 +17,7 @@
 #include "conformance/model/rules.hpp"
 #include "semantics/evaluate/evaluate.hpp"
 #include "semantics/ir/arithmetic.hpp"
+#include "semantics/ir/comparison.hpp"
 #include "semantics/ir/number_parts.hpp"
 #include "semantics/ir/numbers.hpp"
 
@@ -60,20 +61,6 @@ ExprKind exchanged(ExprKind kind) {
     return kind;
 }
 
-/// The answer of a comparison of numbers whose difference has this sign.
-bool answer_for(ExprKind kind, int sign) {
-    if (kind == ExprKind::less) return sign < 0;
-    if (kind == ExprKind::less_equal) return sign <= 0;
-    if (kind == ExprKind::greater) return sign > 0;
-    if (kind == ExprKind::greater_equal) return sign >= 0;
-    return (sign == 0) == (kind == ExprKind::equal);
-}
-
-int sign_of_difference(double one, double other) {
-    if (one == other) return 0;
-    return one < other ? -1 : 1;
-}
-
 /// A comparison of the number in a window with a threshold.
 struct Threshold {
     ExprKind kind = ExprKind::less;  ///< the window is the left operand
@@ -96,8 +83,8 @@ public:
             const std::array numbers{std::nextafter(nearest, -infinity), nearest, std::nextafter(nearest, infinity)};
             for (const int side : {0, -1, 1}) {
                 const double number = numbers[static_cast<std::size_t>(side + 1)];
-                const bool meant = answer_for(threshold->kind, side);
-                const bool found = answer_for(threshold->kind, sign_of_difference(number, threshold->computed));
+                const bool meant = ir::comparison_answer(threshold->kind, side <=> 0);
+                const bool found = ir::comparison_answer(threshold->kind, number <=> threshold->computed);
                 if (meant == found) continue;
                 const std::string text =
                     side == 0 ? ir::decimal_text(threshold->units, values_.scale) : fmt::format("{}", number);

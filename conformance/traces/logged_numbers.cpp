@@ -21,6 +21,8 @@
 #include "conformance/traces/more_numbers.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/comparison.hpp"
+#include "semantics/ir/dump.hpp"
 
 namespace robochart::conformance {
 
@@ -67,24 +69,6 @@ Number add_up(const std::vector<TestedSummand>& sum, std::span<const Number>& he
     return result;
 }
 
-template <class Number>
-bool answer_of(ir::ExprKind relation, Number left, Number right) {
-    if (relation == ir::ExprKind::less) return left < right;
-    if (relation == ir::ExprKind::less_equal) return left <= right;
-    if (relation == ir::ExprKind::greater) return left > right;
-    if (relation == ir::ExprKind::greater_equal) return left >= right;
-    const bool equal = !(left < right) && !(right < left);
-    return equal == (relation == ir::ExprKind::equal);
-}
-
-const char* relation_sign(ir::ExprKind relation) {
-    if (relation == ir::ExprKind::less) return "<";
-    if (relation == ir::ExprKind::less_equal) return "<=";
-    if (relation == ir::ExprKind::greater) return ">";
-    if (relation == ir::ExprKind::greater_equal) return ">=";
-    return relation == ir::ExprKind::equal ? "==" : "!=";
-}
-
 std::size_t count_held(const ComparedSums& comparison) {
     const auto held = [](const TestedSummand& summand) { return !summand.constant; };
     return static_cast<std::size_t>(std::ranges::count_if(comparison.left, held) +
@@ -109,7 +93,7 @@ public:
         const auto code_of = [&](double constant) { return std::int64_t{std::llround(constant * unit)}; };
         const std::int64_t left = add_up(comparison_.left, codes, code_of);
         const std::int64_t right = add_up(comparison_.right, codes, code_of);
-        answer_ = answer_of(comparison_.relation, left, right);
+        answer_ = ir::comparison_answer(comparison_.relation, left <=> right);
         const auto exact = [&](const CodedNumber* number) { return is_exact(*number, scale_); };
         return std::ranges::all_of(numbers, exact) || has_sign(left < right ? -1 : static_cast<int>(right < left));
     }
@@ -120,15 +104,15 @@ public:
         const auto same = [](double constant) { return constant; };
         const double left = add_up(comparison_.left, values, same);
         const double right = add_up(comparison_.right, values, same);
-        if (answer_of(comparison_.relation, left, right) == answer_) return "";
+        if (ir::comparison_answer(comparison_.relation, left <=> right) == answer_) return "";
         std::span<const double> shown(values_);
         const std::string left_text = text_of(comparison_.left, shown);
-        return fmt::format("{} {} {}", left_text, relation_sign(comparison_.relation),
+        return fmt::format("{} {} {}", left_text, ir::operator_text(comparison_.relation),
                            text_of(comparison_.right, shown));
     }
 
 private:
-    /// Whether the difference of the sums of logged numbers has this sign, whatever the rounding error of their
+    /// Whether the difference of the sums of logged numbers has this sign for every rounding error of their
     /// decimals.
     [[nodiscard]] bool has_sign(int sign) const {
         std::vector<long double> wide(values_.begin(), values_.end());

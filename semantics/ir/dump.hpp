@@ -13,5 +13,7 @@ namespace robochart::ir {
 [[nodiscard]] std::string dump_text(const System&);
 /// Returns an expression on one line, with all parentheses and with the names of the machine, which may be null.
 [[nodiscard]] std::string dump_text(const System&, const Machine*, const Expr&);
+/// Returns the operator as `dump_text` writes it: "<=". Returns a word for forms without an operator, such as "seq".
+[[nodiscard]] const char* operator_text(ExprKind);
 
 }  // namespace robochart::ir

@@ -18,6 +18,8 @@ std::string name_at(const std::vector<T>& items, std::uint32_t index) {
     return index < items.size() ? items[index].name : "?";
 }
 
+}  // namespace
+
 const char* operator_text(ExprKind kind) {
     switch (kind) {
         case ExprKind::negate:
@@ -117,6 +119,8 @@ const char* operator_text(ExprKind kind) {
     }
     return "?";
 }
+
+namespace {
 
 class ExpressionText {
 public:
