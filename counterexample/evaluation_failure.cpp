@@ -83,9 +83,9 @@ std::string value_outside(std::string_view message) {
     constexpr std::size_t longest = 80;
     const std::size_t end = message.find(outside);
     if (end == std::string_view::npos) return "";
-    std::size_t shown = std::min(end, longest);
-    while (shown < end && shown > 0 && diagnostics::is_continuation(message[shown])) --shown;
-    return fmt::format("a value leaves its carrier: {}{}", message.substr(0, shown), shown < end ? "..." : "");
+    const std::string_view value = message.substr(0, end);
+    return fmt::format("a value leaves its carrier: {}{}", diagnostics::beginning_of(value, longest),
+                       value.size() > longest ? "..." : "");
 }
 
 }  // namespace

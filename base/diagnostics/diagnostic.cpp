@@ -26,9 +26,7 @@ namespace {
 void shorten_argument(std::string& argument) {
     constexpr std::size_t max_shown = 1000;
     if (argument.size() <= max_shown) return;
-    std::size_t end = max_shown;
-    while (end > 0 && is_continuation(argument[end])) --end;
-    argument.resize(end);
+    argument.resize(beginning_of(argument, max_shown).size());
     argument += "...";
 }
 

@@ -14,8 +14,15 @@ namespace robochart::diagnostics {
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// Returns true for a byte of a UTF-8 sequence after its first byte.
-[[nodiscard]] inline bool is_continuation(char c) {
+[[nodiscard]] constexpr bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// Returns the beginning of a text: at most this many bytes, without a part of a character at its end.
+[[nodiscard]] constexpr std::string_view beginning_of(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    while (most > 0 && is_continuation(text[most])) --most;
+    return text.substr(0, most);
 }
 
 /// The character that is shown in place of a byte that is not UTF-8 (U+FFFD).

@@ -133,9 +133,7 @@ constexpr std::uint64_t first_states = 500'000;
 std::string truncate_description(std::string text) {
     constexpr std::size_t longest = 80;
     if (text.size() <= longest) return text;
-    std::size_t end = longest;
-    while (diagnostics::is_continuation(text[end])) --end;
-    return text.substr(0, end) + "…";
+    return std::string(diagnostics::beginning_of(text, longest)) + "…";
 }
 
 std::string assertion_text(const Decl& assertion) {

@@ -68,14 +68,10 @@ std::string reason_of(const FreeProject& free) {
 /// The inputs and outputs of a run with free data. A class of values is shown as one of its values.
 std::string example_of(const runs::Run& run) {
     constexpr std::size_t longest = 300;
-    std::string text = runs::short_text_of(run);
+    const std::string text = runs::short_text_of(run);
     if (text.empty()) return "";
-    if (text.size() > longest) {
-        std::size_t end = longest;
-        while (end > 0 && diagnostics::is_continuation(text[end])) --end;
-        text = text.substr(0, end) + "...";
-    }
-    return fmt::format(", for example after {}", text);
+    return fmt::format(", for example after {}{}", diagnostics::beginning_of(text, longest),
+                       text.size() > longest ? "..." : "");
 }
 
 }  // namespace
