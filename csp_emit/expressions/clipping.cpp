@@ -45,7 +45,9 @@ cspm::ExprPtr with_place(const cspm::ExprPtr& tree, diagnostics::Span span) {
     const bool leaf = tree->args.empty() && tree->clauses.empty();
     if (leaf) return tree;
     cspm::Expr copy = *tree;
-    if (copy.kind == cspm::ExprKind::apply) copy.span = span;
+    using Kind = cspm::ExprKind;
+    const bool may_fail = copy.kind == Kind::apply || copy.kind == Kind::divide || copy.kind == Kind::modulus;
+    if (may_fail) copy.span = span;
     for (auto& part : copy.args) part = with_place(part, span);
     for (auto& clause : copy.clauses) clause.value = with_place(clause.value, span);
     return std::make_shared<const cspm::Expr>(std::move(copy));

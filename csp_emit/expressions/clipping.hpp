@@ -13,7 +13,7 @@
 
 namespace robochart::csp_emit {
 
-/// Returns the tree with this span in every call that has no known span.
+/// Returns the tree with this span in every call and every division that has no known span.
 [[nodiscard]] cspm::ExprPtr with_place(const cspm::ExprPtr&, diagnostics::Span);
 
 /// Describes how the call deviates from the model. Returns no value if the call returns the model's value. Examples: "2
