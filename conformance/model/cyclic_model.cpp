@@ -16,10 +16,12 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Whether the carriers are so large that the states of the model are evaluated only when they are visited. Compilation
-/// evaluates all states of a component, and their number is a power of the number of values.
-bool has_many_numbers(const ir::Instantiation& instantiation) {
+/// Whether the states of the model are evaluated only when they are visited. Compilation evaluates all states of a
+/// component. Their number is a power of the number of values. If results are not clipped, some states have results
+/// outside the carriers.
+bool is_evaluated_lazily(const ir::Instantiation& instantiation) {
     constexpr std::size_t most_compiled = 64;
+    if (instantiation.unbounded) return true;
     return std::max({instantiation.nat.size(), instantiation.integer.size(), instantiation.real.size()}) >
            most_compiled;
 }
@@ -60,8 +62,8 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->boundary_.interface.drops = dropped_inputs(loaded->outside_, order);
     loaded->session_ = std::make_unique<cspm::Session>(loaded->script_.definitions);
     loaded->process_ = process;
-    loaded->model_ =
-        has_many_numbers(instantiation) ? loaded->session_->system(process) : loaded->session_->system(process, limits);
+    loaded->model_ = is_evaluated_lazily(instantiation) ? loaded->session_->system(process)
+                                                        : loaded->session_->system(process, limits);
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
     loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);
     loaded->normal_form_ = component_in_cycles(*loaded->graph_, *loaded->alphabet_, cycle_length);

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <unordered_set>
 
+#include "checker/cspm/session.hpp"
+
 namespace robochart::conformance {
 
 namespace {
@@ -89,6 +91,16 @@ const std::vector<ModelEdge>& ModelGraph::edges(ModelState state) {
     return edges_[state].edges;
 }
 
+/// Evaluates the edges of a state. Returns false if this fails, for example because a value leaves its carrier.
+bool ModelGraph::is_evaluated(ModelState state) {
+    try {
+        (void)edges(state);
+        return true;
+    } catch (const cspm::EvaluationError&) {
+        return false;
+    }
+}
+
 namespace {
 
 /// Visits the edges of every state that is reachable before time passes, until `enough` returns true. Returns false if
@@ -146,8 +158,8 @@ const std::vector<bool>& ModelGraph::heard_inputs(ModelState state) {
 }
 
 /// Finds strongly connected components of the graph without tocks (Tarjan), because all states of a component hear the
-/// same registers. If there are too many states, the states that are still open are assumed to hear all registers. This
-/// is safe: only the reduction of readings is lost.
+/// same registers. If there are too many states, or a state cannot be evaluated, the states that are still open are
+/// assumed to hear all registers. This is safe: only the reduction of readings is lost.
 void ModelGraph::find_components(ModelState start) {
     struct Visit {
         ModelState state = 0;
@@ -171,12 +183,13 @@ void ModelGraph::find_components(ModelState start) {
     visit(start);
     while (!path.empty()) {
         const ModelState state = path.back().state;
-        const std::vector<ModelEdge>& all = edges(state);
+        const bool evaluated = is_evaluated(state);
         component_of_.resize(std::max(component_of_.size(), edges_.size()), unknown);
-        if (seen.size() > most_in_search) {
+        if (!evaluated || seen.size() > most_in_search) {
             for (const ModelState open_state : open) component_of_[open_state] = hears_all;
             return;
         }
+        const std::vector<ModelEdge>& all = edges(state);
         if (path.back().next == all.size()) {
             const Numbers numbers = seen.at(state);
             if (numbers.low == numbers.own) close_component(open, state);

@@ -52,6 +52,7 @@ private:
     };
     ModelState intern_state(lts::StateView);
     void expand_state(ModelState);
+    [[nodiscard]] bool is_evaluated(ModelState);
     void find_components(ModelState);
     void close_component(std::vector<ModelState>& open, ModelState first);
     [[nodiscard]] const ModelRole& event_role(process::Event);

@@ -23,17 +23,23 @@ bool is_unknown(lts::StateView state) {
 
 }  // namespace
 
-std::vector<std::vector<lts::Word>> cycle_starts(CycleSystem& system, const refine::Limits& limits) {
+std::vector<std::vector<lts::Word>> cycle_starts(CycleSystem& system, const refine::Limits& limits, std::size_t most) {
+    struct TooMany {};
     refine::Budget budget(limits);
     const refine::PollGuard guard({&system}, budget);
-    const lts::Exploration all = lts::explore(system, [&](std::size_t states) {
-        budget.states(states);
-        budget.charge();
-    });
     std::vector<std::vector<lts::Word>> starts;
-    for (std::size_t i = 0; i < all.states.size(); ++i) {
-        const lts::StateView state = all.states[static_cast<lts::StateIndex>(i)];
-        if (system.begins_cycle(state)) starts.emplace_back(state.begin(), state.end());
+    try {
+        const lts::Exploration all = lts::explore(system, [&](std::size_t states) {
+            if (states > most) throw TooMany();
+            budget.states(states);
+            budget.charge();
+        });
+        for (std::size_t i = 0; i < all.states.size(); ++i) {
+            const lts::StateView state = all.states[static_cast<lts::StateIndex>(i)];
+            if (system.begins_cycle(state)) starts.emplace_back(state.begin(), state.end());
+        }
+    } catch (const TooMany&) {
+        starts.clear();
     }
     return starts;
 }

@@ -16,8 +16,9 @@ struct Observation {
     friend bool operator==(const Observation&, const Observation&) = default;
 };
 
-/// Returns all reachable packed states of NF_c(M) in which a cycle may begin. Throws process::Interrupted at a limit.
-[[nodiscard]] std::vector<std::vector<lts::Word>> cycle_starts(CycleSystem&, const refine::Limits&);
+/// Returns all reachable packed states of NF_c(M) in which a cycle may begin, or none if NF_c(M) has more than `most`
+/// states. Throws process::Interrupted at a limit.
+[[nodiscard]] std::vector<std::vector<lts::Word>> cycle_starts(CycleSystem&, const refine::Limits&, std::size_t most);
 
 class ObservedSystem final : public lts::TransitionSystem {
 public:

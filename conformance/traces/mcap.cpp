@@ -157,7 +157,7 @@ private:
         if (!text.ends_with('\n')) text_ += '\n';
     }
 
-    /// Reads a string in CDR (OMG DDS-XTYPES 7.4; rosidl). It begins with four bytes, of which the second is 1 if the
+    /// Reads a string in CDR (OMG DDS-XTYPES 7.4; rosidl). It begins with four bytes. The second of them is 1 if the
     /// lowest byte comes first. The length, which includes the zero at the end, and the characters follow.
     static std::string_view cdr_string(McapPiece content) {
         const std::uint64_t begin = content.offset();

@@ -8,10 +8,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
-#include "checker/cspm/eval/evaluation_error.hpp"
 #include "conformance/model/provenance_text.hpp"
 #include "conformance/model/rules.hpp"
+#include "counterexample/evaluation_failure.hpp"
 #include "cpp_emit/files/trace_names.hpp"
 
 namespace robochart::conformance {
@@ -47,13 +48,27 @@ TraceChecker::TraceChecker(CyclicModel& model, std::vector<std::string> componen
 
 TraceChecker::~TraceChecker() = default;
 
-TraceChecker::Form& TraceChecker::form_for(const Observation& observation, bool late) {
+TraceChecker::Form* TraceChecker::form_for(const Observation& observation, bool late) {
     for (const auto& known : forms_)
-        if (known->late == late && known->observation == observation) return *known;
-    if (late && !starts_) starts_ = cycle_starts(model_->normal_form(), limits_);
+        if (known->late == late && known->observation == observation) return known.get();
+    if (late && !starts_) starts_ = find_starts();
+    if (late && starts_->empty()) return nullptr;
     forms_.push_back(std::make_unique<Form>(*model_, observation,
                                             late ? *starts_ : std::vector<std::vector<lts::Word>>{}, late, budget_));
-    return *forms_.back();
+    return forms_.back().get();
+}
+
+/// If results are not clipped, there may be infinitely many states, and some may have values outside the carriers.
+std::vector<std::vector<lts::Word>> TraceChecker::find_starts() {
+    constexpr std::size_t most_unclipped = 100'000;
+    const bool unclipped = model_->instantiation().unbounded;
+    try {
+        return cycle_starts(model_->normal_form(), limits_,
+                            unclipped ? most_unclipped : std::numeric_limits<std::size_t>::max());
+    } catch (const cspm::EvaluationError& failed) {
+        if (!runs::leaves_carriers(failed.what())) throw;
+        return {};
+    }
 }
 
 /// Reads and checks one log.
@@ -177,11 +192,15 @@ private:
             run_->name.assign(tokens_[1].text.data(), end);
         }
         ++report_.runs;
-        form_ = &checker_.form_for(observation_, false);
-        node_ = form_->normal_form.initial();
-        begin_cycle();
+        form_ = checker_.form_for(observation_, false);
         before_.clear();
         done_ = ended_ = false;
+        begin_cycle();
+        find_first_node("run");
+    }
+
+    void find_first_node(std::string_view word) {
+        unless_a_value_leaves(word, [&] { node_ = cycle_node_ = form_->normal_form.initial(); });
     }
 
     /// Forgets the state of the run, because the log starts late or cycles were lost.
@@ -190,8 +209,33 @@ private:
             fault_here("`late` alone before the first cycle, or `lost`");
         if (!clean_) fault_here("the end of the cycle, `tock`");
         if (done_) return;
-        form_ = &checker_.form_for(observation_, true);
-        node_ = cycle_node_ = form_->normal_form.initial();
+        form_ = checker_.form_for(observation_, true);
+        if (form_ == nullptr) return lose_state(word);
+        find_first_node(word);
+    }
+
+    void lose_state(std::string_view word) {
+        leave_undecided(
+            word, "the log does not show the state of the model here, and the model has too many states to try all");
+    }
+
+    void leave_undecided(std::string_view word, std::string reason) {
+        record_place();
+        run_->verdict = RunVerdict::inconclusive;
+        run_->what = word;
+        run_->reason = std::move(reason);
+        done_ = true;
+    }
+
+    /// Performs a step of the model. If it fails because a value leaves its carrier, the run is undecided.
+    template <class Step>
+    void unless_a_value_leaves(std::string_view word, const Step& step) {
+        try {
+            step();
+        } catch (const cspm::EvaluationError& failed) {
+            if (!runs::leaves_carriers(failed.what())) throw;
+            leave_undecided(word, runs::placed_failure(failed, model_.system(), *checker_.sources_));
+        }
     }
 
     void end_run() {
@@ -220,23 +264,10 @@ private:
             if (token.text == "run" || token.text == "late" || token.text == "lost")
                 fault_here("one event after the other");
             // Words after a verdict are still parsed, because syntax errors are always reported.
-            if (follow_word(token) == Next::stop) done_ = true;
+            unless_a_value_leaves(token.text, [&] { done_ = check_word(token) == Next::stop || done_; });
         }
         if (before_.size() == 3) before_.erase(before_.begin());
         before_.emplace_back(whole);
-    }
-
-    /// Checks a word. If the model has no next state because a value has left its carrier, the run is undecided.
-    Next follow_word(const TraceToken& token) {
-        try {
-            return check_word(token);
-        } catch (const cspm::EvaluationError& failed) {
-            record_place();
-            run_->verdict = RunVerdict::inconclusive;
-            run_->what = token.text;
-            run_->reason = fmt::format("a value leaves the finite instantiation of the model: {}", failed.what());
-            return Next::stop;
-        }
     }
 
     Next check_word(const TraceToken& token) {
@@ -289,14 +320,12 @@ private:
     }
 
     void report_undecided(const TraceToken& token, const LoggedValue& value) {
-        record_place();
-        run_->verdict = RunVerdict::inconclusive;
-        run_->what = token.text;
         run_->related_numbers = has_related(value.whole) && are_related(value.whole);
         report_.related_numbers = report_.related_numbers || run_->related_numbers;
-        run_->reason =
-            fmt::format("{} is outside the finite instantiation of the model, which {}", value.text,
-                        run_->related_numbers ? "compares such values with each other" : "calculates with such values");
+        leave_undecided(token.text,
+                        fmt::format("{} is outside the finite instantiation of the model, which {}", value.text,
+                                    run_->related_numbers ? "compares such values with each other"
+                                                          : "calculates with such values"));
     }
 
     /// Whether the component compares some number of the value that is outside the carriers with other numbers.

@@ -86,7 +86,9 @@ public:
 private:
     struct Form;
     class LogRun;
-    [[nodiscard]] Form& form_for(const Observation&, bool late);
+    /// Returns null if `late` and the states in which a cycle may begin are too many or cannot be computed.
+    [[nodiscard]] Form* form_for(const Observation&, bool late);
+    [[nodiscard]] std::vector<std::vector<lts::Word>> find_starts();
 
     CyclicModel* model_;
     std::vector<std::string> component_;
@@ -95,8 +97,8 @@ private:
     const diagnostics::SourceManager* sources_;
     refine::Budget budget_;
     TraceAlphabet alphabet_;
-    std::string rounding_;  ///< as in ExactNumbers
-    std::optional<std::vector<std::vector<lts::Word>>> starts_;
+    std::string rounding_;                                       ///< as in ExactNumbers
+    std::optional<std::vector<std::vector<lts::Word>>> starts_;  ///< empty if they are not known
     std::deque<std::unique_ptr<Form>> forms_;
 };
 

@@ -292,7 +292,7 @@ stm M {
         EXPECT_EQ(replay.check_runs(std::string("run a\ndrive!") + wrong + " tock\n").rejected, 1U) << wrong;
 }
 
-/// A model that compares two readings, one of which it stores.
+/// A model that compares two readings, and stores one of them.
 std::string nearer(const std::string& condition) {
     return R"(
 interface Ops { near(x : real) }
@@ -324,7 +324,7 @@ std::string verdicts(Replay& replay, const std::string& limit, const std::string
     return result;
 }
 
-/// Two readings are compared as they were logged, whatever their sizes: floats are not rounded to decimals.
+/// Two readings are compared as they were logged, for all sizes: floats are not rounded to decimals.
 TEST(Traces, ReadingsThatAreComparedWithEachOtherDecide) {
     Replay replay(test::ModelFolder(nearer("d < l")).path(), "M");
     for (const auto& [limit, distance, near] :
@@ -429,6 +429,11 @@ stm M {
     EXPECT_EQ(replay.check_runs(ups + downs + "down? high!false tock\n").accepted, 1U);
     EXPECT_EQ(replay.check_runs(ups + downs + "down? high!true tock\n").rejected, 1U);
     EXPECT_EQ(replay.check_runs(ups + "down? high!false tock\n").rejected, 1U);
+    // A log that starts late does not show the counter, which may have any value. The other runs are decided.
+    const LogReport late = replay.check_runs("run b\nlate\nup? high!true tock\n" + ups);
+    EXPECT_EQ(late.inconclusive, 1U);
+    EXPECT_EQ(late.accepted, 1U);
+    EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("too many states"));
 }
 
 /// 1.1 - 0.6 is 0.5, but 0.5000000000000001 in the arithmetic of double: a robot may do either. The exact answer is
@@ -512,7 +517,7 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
 }
 
 /// The model only passes reals on. A real outside the carrier is replaced by one of the carrier, consistently in all
-/// composite values that contain it. A sequence longer than the model's maximum is outside whatever its elements are,
+/// composite values that contain it. A sequence longer than the model's maximum is outside for all elements,
 /// and so is a partial function.
 TEST(Traces, PartsOutsideTheFiniteInstantiation) {
     Replay replay(test::ModelFolder(carrier).path(), "M");
