@@ -29,7 +29,7 @@ std::string interface(int file) {
         file);
 }
 
-/// Returns a machine of ten states that uses declarations of its own file and of the previous file.
+/// Returns a machine of ten states that uses declarations of the same file and of the previous file.
 std::string machine(int file, int before, int number) {
     std::string out = fmt::format(
         "\nstm M{0}_{2} {{\n  requires Vars{0} requires Ops{0} uses Evs{0}\n  var mode : Mode{1}\n  var n : nat = 0\n"

@@ -158,7 +158,7 @@ struct End {
     std::string why;                           ///< one sentence
     std::optional<Event> event;                ///< forbidden: this event; nondeterminism: the event that may be refused
     std::vector<Event> offered;                ///< events that are possible at the end of the run
-    std::vector<std::vector<Event>> required;  ///< refusal: the offers of which the specification requires one
+    std::vector<std::vector<Event>> required;  ///< refusal: offers; the specification requires one of them
     std::vector<Event> allowed;                ///< forbidden: the events that the specification allows instead
     std::vector<Event> refused;                ///< refusal: the events that should be offered but are not
     std::vector<Cause> causes;                 ///< timelock

@@ -114,7 +114,7 @@ std::vector<Confluence::RuleNumber> Confluence::make_entry(std::uint32_t slot, L
     return result;
 }
 
-/// Returns true if condition 3 fails for this state of the component, whatever the states of the other components are.
+/// Returns true if condition 3 fails for this state of the component in all states of the other components.
 bool Confluence::never_commutes(RuleNumber number, std::uint32_t slot, Local local) const {
     const WholeRule& rule = rules_->rules[number];
     for (const Component::Edge& edge : component(slot).edges(local))

@@ -86,7 +86,7 @@ Node Product::refusing(Node pairs) {
 }
 
 /// Returns the states whose acceptance includes none of `acceptances`. A state with tick has the acceptance that
-/// contains only tick, whatever else it offers. A stable state accepts what it offers.
+/// contains only tick, even if it also offers other events. A stable state accepts what it offers.
 Node Product::refusing(const std::vector<EventSet>& acceptances, Node states, Node stable, Node without_tick) {
     const Level level = diagrams_.levels() - 1;
     const bool may_only_tick = std::ranges::any_of(

@@ -107,7 +107,7 @@ struct ApiDifference {
     Behaviour dispatched;
 };
 
-/// A type of which only a few values are explored, because the component only passes its values on.
+/// A type with few explored values, because the component only passes its values on.
 struct FewValues {
     std::string type;  ///< name in the model
     std::size_t values = 0;

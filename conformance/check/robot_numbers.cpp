@@ -301,8 +301,8 @@ void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special spe
 }
 
 /// Returns the inputs in which the value has effects that no explored value has. An input is not included if an
-/// explored value has the same effects in all cycles. For a limit of a type, only explored values of its own region are
-/// compared.
+/// explored value has the same effects in all cycles. For a limit of a type, only explored values in the region of this
+/// limit are compared.
 std::set<std::uint32_t> RobotTest::inputs_unlike_numbers(std::uint32_t type, const TriedValue& value, bool limit,
                                                          DeployedCode& code) const {
     std::set<std::uint32_t> unlike;

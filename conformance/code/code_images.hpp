@@ -27,7 +27,7 @@ public:
 
     /// Returns the number of the image before the first cycle.
     [[nodiscard]] std::uint32_t reset() const { return reset_; }
-    /// Returns whether `initial` writes the whole state, whatever the memory contained before.
+    /// Returns whether `initial` writes the whole state, for any previous contents of the memory.
     [[nodiscard]] bool reset_writes_all() const { return reset_writes_all_; }
     std::uint32_t intern(const Bytes&);
     [[nodiscard]] Bytes bytes(std::uint32_t image) const;

@@ -23,7 +23,7 @@ namespace robochart::conformance {
 
 /// For each tracked type, the numbers of all its values, one after another: the bits of a double, or a whole number.
 using NumberTables = std::vector<std::vector<std::int64_t>>;
-/// For each tracked type, the number parts of which a value consists.
+/// For each tracked type, the number parts that a value consists of.
 using PartsOfTypes = std::vector<std::vector<ir::NumberPart>>;
 /// For each output and argument, the index of its tracked type; no value for other types.
 using OutputTypes = std::vector<std::vector<std::optional<std::uint32_t>>>;

@@ -53,7 +53,7 @@ public:
     /// Returns the number of the cycles of an image. Images with equal numbers have equal cycles. The arguments of this
     /// function and the following ones are images in which a cycle has begun.
     [[nodiscard]] virtual std::uint32_t cycles_of(std::uint32_t image) const = 0;
-    /// Returns, for each register, whether it has no effect in this image, whatever the other registers contain.
+    /// Returns, for each register, whether it has no effect in this image for any contents of the other registers.
     [[nodiscard]] virtual std::vector<bool> without_effect(std::uint32_t image) const = 0;
     /// Returns the images to which a cycle may lead, in ascending order.
     [[nodiscard]] virtual std::vector<std::uint32_t> next_images(std::uint32_t image) const = 0;

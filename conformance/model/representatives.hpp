@@ -15,7 +15,7 @@
 
 namespace robochart::conformance {
 
-/// A type of which only a few values are explored.
+/// A type with few explored values.
 struct RepresentedType {
     ir::TypeId type;
     std::string name;        ///< name in the model

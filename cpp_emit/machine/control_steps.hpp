@@ -33,7 +33,7 @@ public:
     /// Writes the code with which control enters an initial node and, if its transition has no condition, moves on to
     /// the target.
     void begin(ir::NodeId initial, CodeWriter&);
-    /// Writes the code that marks a state as entered. Also marks each composite state of which it is the first child
+    /// Writes the code that marks a state as entered. Also marks each composite state that it is the first child of
     /// (semantics 3.3 a).
     void note_entry(ir::NodeId, CodeWriter&);
     /// Writes the code that takes the first transition whose guard holds. Returns true if there may be no such

@@ -546,7 +546,8 @@ private:
                              describe_field(*field)});
     }
 
-    /// Warns of fields that have no effect. Every message raises an event without a value, whatever its fields contain.
+    /// Warns of fields that have no effect. Every message raises an event without a value, for any contents of its
+    /// fields.
     void warn_unread(const Element& element) {
         const MessageName& message = element.item->message;
         const std::vector<std::string> fields = fields_of(message.full_name());

@@ -20,8 +20,8 @@ public:
     ConsoleChoices(std::string controller, const std::string& word)
         : controller_(std::move(controller)), prefix_(word + "=") {}
 
-    /// From this call on, the user is asked if the words contain no answer. Without this call, the first alternative is
-    /// taken.
+    /// After this call, the program asks the user if the words contain no answer. Without this call, it takes the first
+    /// alternative.
     void ask() { asks_ = true; }
 
     /// Begins a record. Returns false if the file cannot be written.

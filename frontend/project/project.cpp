@@ -112,7 +112,7 @@ class Declared {
 public:
     /// Collects the names that the chosen files declare. If the named file contains claims that compare RoboSim with
     /// RoboChart, a name may refer to a component of either dialect in any package. A candidate is then superfluous
-    /// only because of files of its own dialect and package.
+    /// only because of files of the same dialect and package.
     explicit Declared(const Neighbour& named) : apart_(named.simulates) {}
 
     void add(const Neighbour& file) { names_[key_of(file)].insert(file.declares.begin(), file.declares.end()); }

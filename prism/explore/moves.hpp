@@ -33,7 +33,7 @@ public:
     explicit MoveReader(const StateSpace& space);
 
     /// Returns the moves that lead to a choice of a state. If `to` is given, only moves that may lead to `to` are
-    /// returned. In a dtmc the result may contain several moves, one of which the model draws. In an mdp it contains
+    /// returned. In a dtmc the result may contain several moves. The model draws one of them. In an mdp it contains
     /// several moves if different commands form the same choice. It is empty for the loop at a deadlock.
     [[nodiscard]] std::vector<Move> list_moves(markov::State state, std::uint32_t choice,
                                                std::optional<markov::State> to = {});

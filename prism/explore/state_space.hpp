@@ -80,7 +80,7 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     lts::StateStore store_;
     bool given_ = false;
-    std::vector<lts::Word> rows_;  ///< for given states, of which several may have equal values
+    std::vector<lts::Word> rows_;  ///< for given states; several may have equal values
     markov::Model chain_;
     markov::StateSet deadlocks_;
     std::uint64_t deadlock_count_ = 0;

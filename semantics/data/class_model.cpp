@@ -88,7 +88,7 @@ public:
             if (!classes_.contains(places_.class_of(holder_of(relation)))) return relation.group;
         return std::nullopt;
     }
-    /// Returns the conditions on values that have no classes and of which no other use requires the values themselves.
+    /// Returns the conditions on values without classes, if no other use requires the values themselves.
     [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
         std::set<const Expr*> result;
         for (const auto& [flow, uses] : uses_) {

@@ -83,7 +83,7 @@ private:
     const Places& places_;
     const std::map<PlaceId, Uses>& uses_;
     std::set<PlaceId> mixed_;    ///< flow classes with places of several types
-    std::set<PlaceId> outside_;  ///< flow classes of which some values come from outside
+    std::set<PlaceId> outside_;  ///< flow classes with some values from outside
     std::set<PlaceId> derived_;
 };
 

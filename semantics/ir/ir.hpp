@@ -20,7 +20,7 @@ namespace robochart::ir {
 
 inline constexpr std::uint32_t no_id = 0xffffffffU;
 
-/// An index of its own type for each kind of element. `is_valid()` is false for a default-constructed index.
+/// An index. Each kind of element has a separate type of index. `is_valid()` is false for a default-constructed index.
 template <class Tag>
 struct Id {
     std::uint32_t index = no_id;
@@ -223,7 +223,7 @@ struct Stmt {
     StmtKind kind = StmtKind::skip;
     std::uint32_t point = 0;
     /// sequence: all statements; if: then, else (else may be skip); deadline: one statement; choose: the alternatives
-    /// of an internal choice. If there are no alternatives, the thread is blocked for ever.
+    /// of an internal choice. If there are no alternatives, the thread remains blocked.
     std::vector<StmtPtr> body;
     ExprPtr condition;          ///< if
     VariableId variable;        ///< assign: the variable

@@ -374,7 +374,7 @@ DecidedModel decided_model(const std::string& model, std::vector<std::string> op
     return result;
 }
 
-/// Returns the folders with models in the repository and, if they are present, in the suites beside it.
+/// Returns the folders with models in the repository and, if they are present, in the suites next to it.
 std::vector<std::string> folders_of_models() {
     std::set<std::string> folders;
     const std::filesystem::path suites = tests::shared_folder() / "suite";

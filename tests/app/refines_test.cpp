@@ -202,8 +202,8 @@ assert Leak :[deterministic [F]]
     EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("Accepted: <l>\n"));
 }
 
-// A process that can terminate may do so without its environment, so its minimal acceptance is {✓}, whatever else it
-// offers.
+// A process that can terminate may do so without its environment, so its minimal acceptance is {✓}, even if it also
+// offers other events.
 TEST(Refines, TheLeastAcceptanceOfWhatCanTerminate) {
     const TemporaryFile script("tick.csp", "channel a\nassert SKIP [] a -> STOP :[deterministic [F]]\n");
     const Json object = refines(script.path());

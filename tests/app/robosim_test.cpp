@@ -453,7 +453,8 @@ TEST(RoboSimVerbs, StepFillsUnconnectedInputs) {
                                HasSubstr("cycle 3   in {}  out <>")));
 }
 
-/// The model accepts the logs of its own robots, but rejects those of robots whose lamp is on when it should be off.
+/// The model accepts the logs of the robots that it describes, but rejects those of robots whose lamp is on when it
+/// should be off.
 TEST(RoboSimVerbs, RobotsOfAScenarioRunInCycles) {
     const Folder folder({{"lamp.rst", lamp("2")}, {"blink.scenario", scenario}});
     const Ran ran =

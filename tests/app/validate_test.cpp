@@ -98,7 +98,7 @@ TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
 }
 
 /// If the fix of a claim could not be parsed, the file stays unchanged and a message says so. Claims in an assertion
-/// file are moved to the end of the claims file beside it.
+/// file are moved to the end of the claims file next to it.
 TEST(Validate, FixMovesClaims) {
     const testing::Folder folder(
         {{"m.rct",

@@ -307,7 +307,7 @@ TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
               "holds");
 }
 
-// Semantics 3.10: after d, a process that stops time interrupts `S <{d}`, whatever S does.
+// Semantics 3.10: after d, a process that stops time interrupts `S <{d}`, in every state of S.
 TEST(Preconditions, DoNotLiftADeadline) {
     for (const std::string blocked :
          {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {

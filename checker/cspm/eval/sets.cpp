@@ -146,7 +146,7 @@ bool Domains::can_be_listed(Value set, Span span) {
     return size && *size <= max_elements;
 }
 
-// Returns a union of sets of which at least one cannot be listed.
+// Returns a union of sets. At least one of these sets cannot be listed.
 Value Domains::make_union(const Values& sets, Span span) {
     Values endless;
     Values listed;

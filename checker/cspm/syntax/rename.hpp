@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renames names in syntax trees, and finds the names that patterns bind. A name is renamed wherever it occurs, whatever
-// it means there. So the caller must choose names that have at most one meaning in the tree.
+// Renames names in syntax trees, and finds the names that patterns bind. A name is renamed wherever it occurs, with
+// any meaning. So the caller must choose names that have at most one meaning in the tree.
 #pragma once
 
 #include <map>

@@ -86,7 +86,7 @@ public:
     [[nodiscard]] TypeId make_type(TypeKind kind, const std::vector<TypeId>& args);
     [[nodiscard]] TypeId set_of(TypeId element) { return make_type(TypeKind::set, {element}); }
     [[nodiscard]] TypeId sequence_of(TypeId element) { return make_type(TypeKind::sequence, {element}); }
-    /// Returns a dotted type with these parts, of which there must be at least one.
+    /// Returns a dotted type with these parts. There must be at least one.
     [[nodiscard]] TypeId dot_type(const std::vector<TypeId>& parts);
     [[nodiscard]] TypeId dotable_type(TypeId argument, TypeId result) {
         return make_type(TypeKind::dotable, {argument, result});

@@ -215,7 +215,7 @@ void Unifier::set_arguments(TypeId variable, TypeId arguments) {
     store_.bind(variable, arguments);
 }
 
-// Unifies two types of which at least one is an extendable. The other must not be a dotted value.
+// Unifies an extendable with another type, in any order. The other type must not be a dotted value.
 TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
     const bool left = store_.node(a).kind == TypeKind::extendable;
     const TypeId open = left ? a : b;

@@ -20,8 +20,8 @@ public:
     /// `width`: the number of words in a row.
     explicit SentRows(std::size_t width) : width_(width) {}
 
-    /// Sets the size of the table to at most this many bytes, within limits of its own. If the table grows, all rows
-    /// are removed.
+    /// Sets the size of the table to at most this many bytes, within the limits of the table. If the table grows, all
+    /// rows are removed.
     void resize_to_fit(std::uint64_t most_bytes);
     /// Returns true if the row has been sent recently. Records the row as sent. `hash` is lts::StateStore::hash(row).
     bool sent_recently(lts::StateView row, std::uint64_t hash) {

@@ -99,7 +99,7 @@ private:
         for (const State& next : followed_path(shown_)) go_to(next, event);
     }
 
-    /// Sets the state of the reduced form, of which the current state of the run is an image.
+    /// Sets the state of the reduced form. The current state of the run is an image of it.
     void set_shown_state(State state) {
         shown_ = std::move(state);
         if (reduction_.symmetry != nullptr)

@@ -36,14 +36,14 @@ struct PropertyAnswer {
 /// breaks this rule.
 struct Implication {
     Answer implied = Answer::no;
-    std::vector<std::size_t> by;  ///< implied: the rules that imply it, all of which are needed
+    std::vector<std::size_t> by;  ///< implied: the rules that imply it; each one is necessary
     std::string reason;           ///< if not decided, the reason
 };
 /// Decides whether the other rules imply `rule`. If the other rules exclude its trigger, it is not reported as implied,
 /// because the conflict is reported instead.
 [[nodiscard]] Implication check_implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
-/// Returns a set of rules that make the property impossible, all of which are needed. May be called only for an
+/// Returns a set of rules that make the property impossible. Each of them is necessary. May be called only for an
 /// impossible property. If the question without a rule cannot be decided, the rule is included.
 [[nodiscard]] std::vector<std::size_t> excluding_rules(const CheckedRules& rules, const CheckedProperty& property,
                                                        const AnalysisOptions& options);

@@ -14,7 +14,7 @@
 namespace robochart::ros2 {
 
 /// Sends goals to an action server and stores the last one. After send(), the functions of `events` are called in this
-/// order, whatever the server and the network do: rejected; or accepted, then feedback any number of times, then at
+/// order, for any behaviour of server and network: rejected; or accepted, then feedback any number of times, then at
 /// most one of succeeded, aborted and canceled. A later goal replaces the goal: then no function is called for the
 /// earlier one any more.
 template <class Action>

@@ -34,7 +34,7 @@ namespace robochart::csp_emit {
 /// Returns a hidden step of a statement: `step__.n`.
 [[nodiscard]] cspm::ExprPtr hidden_step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
 /// Returns the configuration in which this thread is blocked. Deadlines around the statement still expire: in `S <{d}`,
-/// a process that stops time interrupts S after d, whatever S does (semantics 3.10).
+/// a process that stops time interrupts S after d, in every state of S (semantics 3.10).
 [[nodiscard]] Activation block_thread(const RunningThread&);
 
 }  // namespace robochart::csp_emit

@@ -148,7 +148,7 @@ TEST_F(EventOrder, IsKnownWhenLogsAreCompared) {
     EXPECT_EQ(run({"conform", folder_ / "plain", "--traces", logs / "wrong.trace"}).exit, 0);
 }
 
-/// A dropped reset does not require a goTo. Inputs of a cycle are simultaneous, whatever their order in the log.
+/// A dropped reset does not require a goTo. Inputs of a cycle are simultaneous, in any order in the log.
 TEST_F(EventOrder, CountsForClaimsAlongLogs) {
     const std::string head = "robochart-trace 1\ncomponent Patrol\n";
     const Folder logs({{"a.trace", head + "run a\nestop? brake! tock\nestop? reset? tock\n"},

@@ -221,7 +221,7 @@ TEST(Certificates, AreCompleteOrRefusedOnASmallDisk) {
     EXPECT_LT(failures, 8);
 }
 
-/// At whatever time the program is killed, the certifier accepts exactly the folders that have a claim.
+/// If the program is killed at any time, the certifier accepts exactly the folders that have a claim.
 TEST(Certificates, AreCompleteOrRefusedIfTheProgramIsKilled) {
     if (certifier.empty()) GTEST_SKIP() << no_certifier;
     Opened script(two_cells);

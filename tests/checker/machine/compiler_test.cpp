@@ -90,7 +90,7 @@ TEST_F(Compiled, RecursionThroughCompositions) {
 }
 
 // Machines with modes. An event that keeps or changes the mode resolves a choice, and then leads back to a node of the
-// compiled process. Each mode is one state, whatever the transitions between the modes are.
+// compiled process. Each mode is one state, for all transitions between the modes.
 TEST_F(Compiled, ModesBeforeComponents) {
     const TermId off = s.name("Off");
     const TermId on = s.name("On");

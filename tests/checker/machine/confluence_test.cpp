@@ -185,7 +185,7 @@ TEST_F(Conditions, BothOrdersMustLeadToOneState) {
     EXPECT_EQ(states_and_kept(), Sizes(5, 4));  // after b the tau is followed
 }
 
-// Condition 3: after b, the tau leads to two states, of which only one is the state after the other order.
+// Condition 3: after b, the tau leads to two states. Only one of them is the state after the other order.
 TEST_F(Conditions, BothOrdersMustLeadToOneStateAlone) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}, {a, 4}}, {{o, 3}}, {{x, 4}}}},
          {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests searches by several programs, all but the first of which know only what they receive. The searches must give
+// Tests searches by several programs. All but the first know only what they receive. The searches must give
 // the same answers, figures and counterexamples as one rank.
 #include <gtest/gtest.h>
 

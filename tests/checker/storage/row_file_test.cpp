@@ -68,7 +68,7 @@ TEST(RowCodec, IsShortForNeighbours) {
     EXPECT_LE(code.size(), 1000U + 8);
 }
 
-// Whatever the bytes are, the decoded rows are ascending.
+// For all bytes, the decoded rows are ascending.
 TEST(RowCodec, TakesAnyBytes) {
     std::mt19937 random(2);
     int taken = 0;

@@ -162,7 +162,7 @@ TEST(CycleClaims, AreShownInCycles) {
     EXPECT_THAT(code.reason, HasSubstr("and no brake came before"));
 }
 
-/// If estop and reset come in one cycle, estop ends the scope before reset begins it, whatever the order in which the
+/// If estop and reset come in one cycle, estop ends the scope before reset begins it, for any order in which the
 /// registers are read. Then the robot brakes in the new scope.
 TEST(CycleClaims, RaisedEventsAreSimultaneous) {
     expect_answers(nested, {{"after raised reset until raised estop, never brake", "fails", "fails"},

@@ -150,7 +150,7 @@ TEST(EnoughNames, AreUnknownIfTheModelMaySendMoreAndMoreValues) {
     EXPECT_NE(result.reason.find("may still be written"), std::string::npos) << result.reason;
 }
 
-/// A specification without a choice needs two names, whatever the number of values that it holds.
+/// A specification without a choice needs two names, for any number of values that it holds.
 TEST(EnoughNames, AreTwoWithoutAChoice) {
     NamedModel subject(
         "stm S { event one : R event go event answer : R var x : R var y : R var z : R\n"

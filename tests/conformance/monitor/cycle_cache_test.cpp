@@ -199,7 +199,7 @@ TEST(CycleCache, WholeCyclesGiveTheResultsOfTheirEvents) {
 }
 
 /// The tables are written by hand. There is one state. The input has the values -1 and 3. One output has two arguments
-/// from {0, 1}, of which (0, 1) and (1, 0) are allowed. Another output is a real number, 0 or 0.5.
+/// from {0, 1}; (0, 1) and (1, 0) are allowed. Another output is a real number, 0 or 0.5.
 class ByHand : public ::testing::Test {
 protected:
     static constexpr std::uint16_t dead = Monitor::dead;

@@ -3,7 +3,7 @@
 // faults). Each mutant is killed, shown by the checker to be equivalent to the original, or a variant that the model
 // allows for a reason listed here. ROBOCHART_MUTANTS=all tries all places and prints tables (tests/long.sh mutants). By
 // default the test tries one place of each kind in most models, and three in models written for specific kinds. It
-// omits kinds of which it has already killed three mutants.
+// omits kinds with three mutants that it has already killed.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ protected:
         }
     }
 
-    /// Returns the kinds that need no more models: by default, those of which three mutants were killed.
+    /// Returns the kinds that need no more models: by default, those with three killed mutants.
     [[nodiscard]] std::set<Fault> often_killed() const {
         std::set<Fault> kinds;
         if (all()) return kinds;

@@ -197,7 +197,7 @@ TEST(Mcap, ChunksDoNotGrowBeyondTheirSize) {
               std::string::npos);
 }
 
-/// What the writer of generated controllers and simulations writes is read, whatever the texts are.
+/// The reader reads all texts that the writer of generated controllers and simulations writes.
 TEST(Mcap, IsWritten) {
     McapWriter writer("/trace");
     std::string file = writer.begin();

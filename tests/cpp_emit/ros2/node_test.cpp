@@ -385,8 +385,8 @@ int main() {
 })");
 }
 
-/// Operations send and cancel a goal of an action. Its replies raise events in the same order, whatever the server
-/// does.
+/// Operations send and cancel a goal of an action. Its replies raise events in the same order, for any behaviour of the
+/// server.
 TEST_F(Package, CallsActions) {
     emit(testing::load_model(R"(package p
 datatype Goal { x : real y : real }
@@ -692,7 +692,7 @@ int main() {
           true);
 }
 
-/// With immediate dispatch, each message is read by a cycle of its own, at once; the timer goes on. A message that
+/// With immediate dispatch, a separate cycle reads each message at once, and the timer goes on. A message that
 /// raises no event begins no cycle while the node is inactive.
 TEST_F(Package, RunsACycleWhenAnInputArrives) {
     Options options;

@@ -573,7 +573,7 @@ TEST(Swarm, CohesionTellsTheExchangedGuardsOfTheCorpus) {
 
 // ---------------------------------------------------------------- RoboStar's collection
 
-/// The published model has two machines, one of which exchanges messages with the other robots. RoboStar found it
+/// The published model has two machines. One of them exchanges messages with the other robots. RoboStar found it
 /// deadlock free for two or more robots, but not for one (swarm.md 1).
 TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
     const fs::path model = tests::shared_folder() / "suite/robotool/accept/AlphaAlgorithm";

@@ -29,7 +29,7 @@ std::string module_with(const std::string& connection) {
     return with_machine("module M { robotic platform R { event e } cref c = C\n" + connection + " }");
 }
 
-/// The fix of Cn2 is correct whatever follows the event, and for a platform at either end.
+/// The fix of Cn2 is correct for all texts after the event, and for a platform at either end.
 TEST(LintFixes, MakeAConnectionWithThePlatformAsynchronous) {
     for (const char* end : {"", " [mult]", " // by wire"}) {
         for (const char* ends : {"connection R on e to c on e", "connection c on e to R on e"}) {

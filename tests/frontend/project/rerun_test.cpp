@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that resolution may run repeatedly on the same trees, and on trees some of which were replaced.
+// Tests that resolution may run repeatedly on the same trees, and after some trees were replaced.
 #include <gtest/gtest.h>
 
 #include "frontend/syntax/parse.hpp"

@@ -119,7 +119,7 @@ std::string damaged(const Text& file, Random& random) {
     return out;
 }
 
-/// Whatever the damage is, the front end must not crash or hang, and must report findings if the text is no longer a
+/// For any damage, the front end must not crash or hang, and must report findings if the text is no longer a
 /// model.
 TEST(Invariance, DamagedTextsAreReadToTheEnd) {
     for (const std::uint64_t seed : seeds(300)) {

@@ -457,7 +457,7 @@ TEST(Relations, AreConditionsOnOneLinearTerm) {
     EXPECT_EQ(relation_of(relating("int", {"x - y in {0, 2}"})), "x - y, 2, 1");
 }
 
-/// Inputs reach every class only if the term takes every value, whatever values the other variables have.
+/// Inputs reach every class only if the term takes every value for all values of the other variables.
 TEST(Relations, AreNotMadeWhereAnInputMayNotReachEveryClass) {
     EXPECT_EQ(relation_of(relating("nat", {"x > y"})), "") << "no x is less than y = 0";
     EXPECT_EQ(relation_of(relating("int", {"x > 2 * y"})), "") << "2 * y is even";

@@ -76,7 +76,7 @@ protected:
     diagnostics::TemporaryFolder folder_{"", error_};
 };
 
-// A checkpoint needs at least one page for its text. To make space, levels are given up, each of which frees one or two
+// A checkpoint needs at least one page for its text. To make space, levels are given up. Each level frees one or two
 // pages. At most half of all levels are lost, if the number of levels to give up is doubled once too often.
 TEST_F(FullDisks, KeepLevelsOfAnySize) {
     for (const unsigned rows : {20U, 200U, 3000U})

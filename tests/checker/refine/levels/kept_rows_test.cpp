@@ -516,7 +516,7 @@ TEST_F(KeptRows, RestartAfterIncompleteCheckpoints) {
     EXPECT_EQ(newest_checkpoints().at(0).number, 8U);
 }
 
-// The reported error is that of the rank in which it occurred, whatever the other ranks report.
+// The reported error is that of the rank in which it occurred, for any reports of the other ranks.
 TEST(Ranks, ThrowTheErrorOfTheRankThatHasMetIt) {
     const auto work = [](Exchange& exchange) {
         SharedWork shared(exchange);

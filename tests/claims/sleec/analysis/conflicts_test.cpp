@@ -119,7 +119,7 @@ TEST(SleecConflicts, OfScalesThatShareAValue) {
     EXPECT_EQ(find_conflict(*read.checked, {0, 1}, {}).conflict, Answer::yes);
 }
 
-/// Fault 6 of SLEEC-TK is about a conflict of three rules, no two of which are in conflict. These verdicts are correct.
+/// Fault 6 of SLEEC-TK is about a conflict of three rules. No two of them are in conflict. These verdicts are correct.
 TEST(SleecConflicts, OfThree) {
     const std::string alarm = "R1 when Go then Alarm within 5 seconds otherwise Help within 0 seconds\n";
     const std::string no_alarm = "R2 when Halt then not Alarm within 9 seconds\n";

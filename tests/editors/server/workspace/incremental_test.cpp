@@ -151,7 +151,7 @@ TEST(Incremental, NothingFailsInTextsHoweverBroken) {
     }
 }
 
-/// Returns the texts of several scripts, one of which includes the first.
+/// Returns the texts of several scripts. One of them includes the first.
 std::vector<std::string> scripts_of_tests() {
     const std::filesystem::path tests = tests::source_folder().string() + "/tests";
     return {

@@ -68,7 +68,7 @@ TEST(Classics, ASlowMdpWithLoops) {
     }
 }
 
-/// Every step has two equally good alternatives, one of which takes twice as long. Both are optimal. A proof that
+/// Every step has two equally good alternatives. One of them takes twice as long. Both are optimal. A proof that
 /// considers only one of them would accept only that one.
 TEST(Classics, EquallyGoodChoicesOfDifferentLength) {
     std::vector<std::vector<Choice>> states;
