@@ -2,6 +2,9 @@
 // Transforms texts.
 #include "base/diagnostics/text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace robochart::diagnostics {
 
 std::string on_one_line(std::string_view text) {
@@ -15,6 +18,21 @@ std::string on_one_line(std::string_view text) {
     }
     if (!line.empty() && line.back() == ' ') line.pop_back();
     return line;
+}
+
+std::string join_equal(const std::vector<std::string>& items) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < items.size();) {
+        std::size_t end = i;
+        while (end < items.size() && items[end] == items[i]) ++end;
+        if (end - i > 2) {
+            texts.push_back(fmt::format("{} times {}", end - i, items[i]));
+        } else {
+            texts.insert(texts.end(), end - i, items[i]);
+        }
+        i = end;
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string fill_template(const std::string& text, const std::map<std::string, std::string>& keys) {

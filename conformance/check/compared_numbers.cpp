@@ -91,6 +91,17 @@ std::optional<ComparedNumbers> compared(ir::ExprKind kind, const std::optional<N
                            ir::comparison_answer(kind, *left <=> *right)};
 }
 
+/// The number of a window; no value if it contains no place of the sequence.
+std::optional<Real> number_in_window(const ir::SequenceWindow& window, const TriedValue& sequence) {
+    std::optional<Real> result;
+    for (const std::int64_t place : window.places) {
+        if (static_cast<std::size_t>(place) > sequence.size()) break;
+        const auto item = std::bit_cast<Real>(sequence[static_cast<std::size_t>(place - 1)].bits);
+        if (!result || (window.greatest ? item > *result : item < *result)) result = item;
+    }
+    return result;
+}
+
 }  // namespace
 
 std::optional<ComparedNumbers> compare_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
@@ -98,15 +109,23 @@ std::optional<ComparedNumbers> compare_on_robot(const ir::System& system, const 
     const Computer computer(system, comparison, space, value);
     const ir::Expr& left = *comparison.expr->args.at(0);
     const ir::Expr& right = *comparison.expr->args.at(1);
+    if (space.sequences) {
+        if (!comparison.cut) return std::nullopt;
+        const auto number = number_in_window(*comparison.cut->window, value);
+        const auto other = computer.real(comparison.window == 0 ? right : left);
+        return comparison.window == 0 ? compared(comparison.expr->kind, number, other)
+                                      : compared(comparison.expr->kind, other, number);
+    }
     if (computer.is_real(left) || computer.is_real(right))
         return compared(comparison.expr->kind, computer.real(left), computer.real(right));
     return compared(comparison.expr->kind, computer.whole(left), computer.whole(right));
 }
 
-std::optional<double> constant_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
-                                        std::int64_t scale, const ir::Expr& operand) {
-    const NumberSpace no_parts{{}, {}, scale};
-    return Computer(system, comparison, no_parts, {}).real(operand);
+bool answer_in_model(const ir::ModelComparison& comparison, const NumberSpace& space, const TriedValue& value,
+                     std::size_t place) {
+    if (!comparison.cut) return comparison.answers.at(place);
+    const int sign = sign_of(space, *comparison.cut, value);
+    return ir::comparison_answer(comparison.expr->kind, (comparison.window == 0 ? sign : -sign) <=> 0);
 }
 
 }  // namespace robochart::conformance

@@ -20,13 +20,13 @@ struct ComparedNumbers {
 };
 
 /// Computes the sides of the comparison for a value of its type. Returns no value if the comparison contains operations
-/// other than sums, differences and multiples.
+/// other than sums, differences, multiples, and the number of one window of a sequence of reals.
 [[nodiscard]] std::optional<ComparedNumbers> compare_on_robot(const ir::System& system,
                                                               const ir::ModelComparison& comparison,
                                                               const NumberSpace& space, const TriedValue& value);
 
-/// An operand of the comparison that reads no variable, computed as the code computes it. No value for other operands.
-[[nodiscard]] std::optional<double> constant_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
-                                                      std::int64_t scale, const ir::Expr& operand);
+/// The answer of the comparison in the model, for explored value `place` or for a value of the same region.
+[[nodiscard]] bool answer_in_model(const ir::ModelComparison& comparison, const NumberSpace& space,
+                                   const TriedValue& value, std::size_t place);
 
 }  // namespace robochart::conformance

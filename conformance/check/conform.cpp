@@ -24,7 +24,6 @@
 #include "conformance/check/robot_numbers.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/check/violated_precondition.hpp"
-#include "conformance/check/window_thresholds.hpp"
 #include "conformance/code/shared_object.hpp"
 #include "conformance/code/tracked_code.hpp"
 #include "conformance/model/component.hpp"
@@ -550,11 +549,7 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
             result.normal_form = concrete_normal_form(timed, component, options);
             result.all_values = model.data;
             result.lists_of_any_length = true;
-            const bool sequences = std::ranges::any_of(
-                search.types, [&](ir::TypeId type) { return ir::is_number_sequence(timed.model.system, type); });
-            if (result.outcome == Outcome::conforms && sequences) {
-                test_window_thresholds(result, timed.model.system, model, *timed.sources, options.rounding_allowed);
-            } else if (result.outcome == Outcome::conforms) {
+            if (result.outcome == Outcome::conforms) {
                 const Interface interface =
                     interface_of_model(model.system, timed.model.instantiation, component, script.provenance, code);
                 diagnostics::Budget budget(options.limits);
@@ -598,6 +593,16 @@ TimedModel timed_model(const ir::System& system, const ir::Instantiation& instan
 
 namespace {
 
+/// The length of the longest explored sequence, and one more place.
+std::size_t longest_sequence(const ir::System& system, const ir::ValueModel& model) {
+    std::size_t longest = 0;
+    for (const ir::ExploredValues& type : model.types) {
+        if (!ir::is_number_sequence(system, type.type)) continue;
+        for (const auto& value : type.values) longest = std::max(longest, value.size() + 1);
+    }
+    return longest;
+}
+
 /// Generates and compiles code with tracked numbers, if the component only copies and compares its data.
 ForAllValues conform_for_all_values(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                                     diagnostics::Diagnostics& diagnostics) {
@@ -614,6 +619,7 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
         if (!search) return {std::nullopt, reason_for_carriers(model, component), false};
         cpp_emit::Options generator = generator_options(timed, options);
         generator.tracked_scale = search->model.scale;
+        generator.tracked_length = longest_sequence(model.system, search->model);
         const cpp_emit::Emission code =
             cpp_emit::emit(model.system, model.instantiation, component, generator, findings);
         if (!findings.ok() || code.shim.empty()) return {};

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "base/diagnostics/splitmix64.hpp"
+#include "base/diagnostics/text.hpp"
 #include "semantics/ir/arithmetic.hpp"
 #include "semantics/ir/numbers.hpp"
 
@@ -86,6 +87,43 @@ TriedNumber itself(double number) {
     return {std::bit_cast<std::int64_t>(number + 0.0), std::nullopt};
 }
 
+/// Returns the exact sign of a form of one number: coefficient * number + constant. The constant is in units if the
+/// number is real. Computes with doubles first. Their error is below 2^-50 of the sum of the absolute summands.
+int sign_of_item(const NumberSpace& space, const ir::Cut& cut, const TriedNumber& item) {
+    const Wide coefficient = cut.coefficients.at(0);
+    if (item.units || !is_real(space.part(0))) {
+        const Wide sum = coefficient * item.units.value_or(item.bits) + cut.constant;
+        return sum < 0 ? -1 : static_cast<int>(sum > 0);
+    }
+    const double product =
+        static_cast<double>(cut.coefficients[0]) * static_cast<double>(space.scale) * as_double(item);
+    const auto constant = static_cast<double>(cut.constant);
+    const double error = std::ldexp(std::abs(product) + std::abs(constant), -50);
+    if (std::abs(product + constant) > error) return product + constant < 0 ? -1 : 1;
+    ExactSum sum;
+    sum.add(Wide{cut.constant}, 0);
+    sum.add_product(coefficient * space.scale, as_double(item));
+    return sum.sign();
+}
+
+/// The form is monotonic in its number. So its sign for the least (or greatest) number in a window is the least or the
+/// greatest sign for an item.
+int sign_of_sequence(const NumberSpace& space, const ir::Cut& cut, const TriedValue& sequence) {
+    if (!cut.window) {
+        const Wide sum = Wide{cut.coefficients.at(0)} * static_cast<std::int64_t>(sequence.size()) + cut.constant;
+        return sum < 0 ? -1 : static_cast<int>(sum > 0);
+    }
+    const bool least = (cut.coefficients.at(0) > 0) != cut.window->greatest;
+    std::optional<int> sign;
+    for (const std::int64_t place : cut.window->places) {
+        if (static_cast<std::size_t>(place) > sequence.size()) break;
+        const int item = sign_of_item(space, cut, sequence[static_cast<std::size_t>(place - 1)]);
+        if (!sign || (least ? item < *sign : item > *sign)) sign = item;
+        if (*sign == (least ? -1 : 1)) break;
+    }
+    return sign.value_or(2);
+}
+
 class NumberChooser {
 public:
     NumberChooser(const NumberSpace& space, const ir::ExploredValues& explored, std::size_t random,
@@ -97,7 +135,7 @@ public:
         add_all_neighbours();  // neighbours of simple numbers come first
         for (TriedRegion& region : regions_)
             if (region.boundary) add_random(region);
-        add_all_neighbours();
+        if (!space_.sequences) add_all_neighbours();  // a sequence has many neighbours
         for (TriedRegion& region : regions_)
             if (!region.boundary) add_random(region);
         return std::move(regions_);
@@ -117,11 +155,18 @@ private:
             TriedValue value = nearest_value(space_, explored_.values[v]);
             const std::vector<int> signs = signs_at(value);
             const auto [found, fresh] = by_signs_.emplace(signs, regions_.size());
-            if (fresh) regions_.emplace_back().boundary = std::ranges::find(signs, 0) != signs.end();
+            if (fresh) regions_.emplace_back().boundary = is_boundary(signs);
             known_.insert(bits_of(value));
             regions_[found->second].places.push_back(v);
             regions_[found->second].values.push_back(std::move(value));
         }
+    }
+
+    /// Whether the form of some condition on numbers is 0. The size of a sequence has no neighbours.
+    [[nodiscard]] bool is_boundary(const std::vector<int>& signs) const {
+        for (std::size_t c = 0; c < signs.size(); ++c)
+            if (signs[c] == 0 && (!space_.sequences || space_.cuts[c].window)) return true;
+        return false;
     }
 
     /// Adds a value to its region, unless the code's number is already in use. Each number of the code represents only
@@ -129,8 +174,8 @@ private:
     void add(TriedValue value) {
         budget_.poll();
         for (std::size_t p = 0; p < value.size(); ++p) {
-            if (is_real(space_.parts[p]) && !std::isfinite(as_double(value[p]))) return;
-            if (space_.parts[p].kind == ir::TypeKind::nat && value[p].bits < 0) return;
+            if (is_real(space_.part(p)) && !std::isfinite(as_double(value[p]))) return;
+            if (space_.part(p).kind == ir::TypeKind::nat && value[p].bits < 0) return;
         }
         const auto region = by_signs_.find(signs_at(value));
         if (region == by_signs_.end()) return;
@@ -138,8 +183,14 @@ private:
     }
 
     void add_all_neighbours() {
-        for (const TriedRegion& region : regions_)
-            if (region.boundary) add_neighbours(std::vector(region.values));  // `add` changes the values of regions
+        for (const TriedRegion& region : regions_) {
+            if (!region.boundary) continue;
+            const std::vector<TriedValue> points = region.values;  // `add` changes the values of regions
+            if (space_.sequences)
+                add_neighbours_of_sequences(points);
+            else
+                add_neighbours(points);
+        }
     }
 
     /// Adds the adjacent numbers on both sides of each number that lies on the boundary of a condition.
@@ -155,6 +206,38 @@ private:
                 }
             }
         }
+    }
+
+    /// The same for each window whose number lies on the boundary: replaces the first of the items that are equal to
+    /// this number, the last one, and all of them.
+    void add_neighbours_of_sequences(const std::vector<TriedValue>& points) {
+        for (const TriedValue& point : points) {
+            for (const ir::Cut& cut : space_.cuts) {
+                if (!cut.window || sign_of(space_, cut, point) != 0) continue;
+                const std::vector<std::size_t> equal = items_at_boundary(cut, point);
+                for (const int side : {-1, 1}) {
+                    add_with_steps(point, {equal.front()}, side);
+                    add_with_steps(point, {equal.back()}, side);
+                    add_with_steps(point, equal, side);
+                }
+            }
+        }
+    }
+
+    /// The items of the window for which the cut's form is 0.
+    [[nodiscard]] std::vector<std::size_t> items_at_boundary(const ir::Cut& cut, const TriedValue& sequence) const {
+        std::vector<std::size_t> result;
+        for (const std::int64_t place : cut.window->places) {
+            const auto item = static_cast<std::size_t>(place - 1);
+            if (item < sequence.size() && sign_of_item(space_, cut, sequence[item]) == 0) result.push_back(item);
+        }
+        return result;
+    }
+
+    void add_with_steps(TriedValue sequence, const std::vector<std::size_t>& items, int side) {
+        for (const std::size_t item : items)
+            if (!step(sequence[item], space_.part(item), side)) return;
+        add(std::move(sequence));
     }
 
     /// Replaces a number by the next one of the code.
@@ -175,13 +258,41 @@ private:
         const std::size_t most = region.values.size() + random_;
         const std::vector<int> signs = signs_at(region.values.front());
         for (std::size_t trial = 0; trial < 8 * random_ && region.values.size() < most; ++trial) {
-            const Numbers& from = explored_.values[places[draw() % places.size()]];
+            const std::size_t chosen = draw() % places.size();
+            const Numbers& from = explored_.values[places[chosen]];
             const Numbers& to = explored_.values[places[draw() % places.size()]];
-            TriedValue value = distant(from);
-            if (trial % 3 == 1) value = decimal_between(from, to);
-            if (trial % 3 == 2) value = double_between(from, to);
+            TriedValue value = space_.sequences ? random_sequence(trial, region.values[chosen], from, to)
+                                                : random_value(trial, from, to);
             if (signs_at(value) == signs) add(std::move(value));
         }
+    }
+
+    [[nodiscard]] TriedValue random_value(std::size_t trial, const Numbers& from, const Numbers& to) {
+        if (trial % 3 == 0) return distant(from);
+        return trial % 3 == 1 ? decimal_between(from, to) : double_between(from, to);
+    }
+
+    /// Returns a sequence with another length, with one other item, with items between those of two sequences, or with
+    /// items that are greater by different amounts (less, if windows read greatest numbers).
+    /// `value` consists of the numbers `from`.
+    [[nodiscard]] TriedValue random_sequence(std::size_t trial, TriedValue value, const Numbers& from,
+                                             const Numbers& to) {
+        if (trial % 4 == 0) {
+            const TriedNumber last = value.empty() ? nearest_number(space_, space_.part(0), 0) : value.back();
+            value.resize(draw() % (space_.most_items + 1), last);
+            return value;
+        }
+        if (trial % 4 == 1 && from.size() == to.size()) return double_between(from, to);
+        const bool greatest =
+            std::ranges::any_of(space_.cuts, [](const ir::Cut& cut) { return cut.window && cut.window->greatest; });
+        const std::size_t only = from.empty() ? 0 : draw() % from.size();
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const double distance = std::exp2(60 * uniform() - 30) * (greatest ? -1 : 1);
+            const bool changed = trial % 4 == 2 ? i == only : uniform() < 0.5;
+            const bool back = trial % 8 == 2;
+            if (changed) value[i] = rounded(i, number_at(from, i) + (back ? -distance : distance));
+        }
+        return value;
     }
 
     /// Returns a value on the line between two values, with parts that are whole numbers of units.
@@ -216,10 +327,10 @@ private:
 
     [[nodiscard]] double number_at(const Numbers& numbers, std::size_t part) const {
         const auto number = static_cast<double>(numbers[part]);
-        return is_real(space_.parts[part]) ? number / static_cast<double>(space_.scale) : number;
+        return is_real(space_.part(part)) ? number / static_cast<double>(space_.scale) : number;
     }
     [[nodiscard]] TriedNumber rounded(std::size_t part, double number) const {
-        return is_real(space_.parts[part]) ? itself(number) : TriedNumber{std::llround(number), std::nullopt};
+        return is_real(space_.part(part)) ? itself(number) : TriedNumber{std::llround(number), std::nullopt};
     }
     [[nodiscard]] static Numbers bits_of(const TriedValue& value) {
         Numbers bits;
@@ -245,12 +356,15 @@ private:
 NumberSpace number_space(const ir::System& system, const ir::ValueModel& model, std::size_t type) {
     const ir::TypeId id = model.types.at(type).type;
     NumberSpace space{ir::number_parts(system, id), {}, model.scale};
+    space.sequences = ir::is_number_sequence(system, id);
+    if (space.sequences) space.parts = ir::number_parts(system, system.type(id).args.at(0));
     std::ranges::copy_if(model.cuts, std::back_inserter(space.cuts),
                          [&](const ir::Cut& cut) { return cut.type == id; });
     return space;
 }
 
 int sign_of(const NumberSpace& space, const ir::Cut& cut, const TriedValue& value) {
+    if (space.sequences) return sign_of_sequence(space, cut, value);
     ExactSum sum;
     sum.add(Wide{cut.constant}, 0);
     for (std::size_t p = 0; p < value.size(); ++p) {
@@ -278,8 +392,7 @@ TriedNumber nearest_number(const NumberSpace& space, const ir::NumberPart& part,
 
 TriedValue nearest_value(const NumberSpace& space, const std::vector<std::int64_t>& numbers) {
     TriedValue value;
-    for (std::size_t p = 0; p < space.parts.size(); ++p)
-        value.push_back(nearest_number(space, space.parts[p], numbers[p]));
+    for (std::size_t p = 0; p < numbers.size(); ++p) value.push_back(nearest_number(space, space.part(p), numbers[p]));
     return value;
 }
 
@@ -288,11 +401,12 @@ std::string value_text(const NumberSpace& space, const TriedValue& value) {
     for (std::size_t p = 0; p < value.size(); ++p) {
         if (value[p].units)
             texts.push_back(ir::decimal_text(*value[p].units, space.scale));
-        else if (is_real(space.parts[p]))
+        else if (is_real(space.part(p)))
             texts.push_back(fmt::format("{}", as_double(value[p])));
         else
             texts.push_back(fmt::format("{}", value[p].bits));
     }
+    if (space.sequences) return fmt::format("<{}>", diagnostics::join_equal(texts));
     if (texts.size() == 1) return texts.front();
     return fmt::format("({})", fmt::join(texts, ", "));
 }

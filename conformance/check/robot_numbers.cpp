@@ -11,6 +11,7 @@
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "base/diagnostics/budget.hpp"
@@ -26,6 +27,7 @@ namespace {
 
 constexpr std::size_t random_values = 16;  ///< number of random values of each region
 constexpr std::size_t most_cycles = 20'000;
+constexpr std::size_t most_bytes = std::size_t{256} << 20U;  ///< of all states of a run
 
 /// The numbers of a run: for each tracked type, the value that replaces each explored value.
 using Assignment = std::vector<std::vector<TriedValue>>;
@@ -34,6 +36,7 @@ using Assignment = std::vector<std::vector<TriedValue>>;
 struct TestedType {
     NumberSpace space;
     const ir::ExploredValues* explored = nullptr;
+    std::vector<TriedValue> explored_values;
     std::vector<TriedRegion> regions;
 
     [[nodiscard]] bool is_written(std::size_t place) const { return place < explored->written; }
@@ -65,6 +68,13 @@ std::string words_of(rc_result result) {
     return "";
 }
 
+/// A value in the report of a comparison. A comparison of a window depends only on the window's number.
+std::string text_of(const ir::ModelComparison& comparison, const ComparedNumbers& robot, const NumberSpace& space,
+                    const TriedValue& value) {
+    if (!comparison.cut) return value_text(space, value);
+    return fmt::format("a window with the number {}", comparison.window == 0 ? robot.left : robot.right);
+}
+
 class RobotTest {
 public:
     RobotTest(const ExploredValuesOfCode& explored, diagnostics::Pollable& budget)
@@ -75,6 +85,7 @@ public:
         choose_numbers(found);
         const TrackedCycles cycles = explore_tracked(explored_.code, explored_.interface, most_cycles, budget_);
         if (!cycles.all) found.limit = fmt::format("{} cycles were run with each number", cycles.cycles.size());
+        if (!fits(found, cycles)) return;
         PartsOfTypes parts;
         for (const TestedType& type : types_) parts.push_back(type.space.parts);
         DeployedCode code(explored_.code, cycles, parts, explored_.output_types, budget_);
@@ -97,6 +108,7 @@ public:
 
 private:
     void choose_numbers(RobotNumbers& found);
+    [[nodiscard]] bool fits(RobotNumbers& found, const TrackedCycles& cycles) const;
     [[nodiscard]] Assignment assignment(std::size_t round) const;
     [[nodiscard]] static NumberTables tables_of(const Assignment& numbers);
     /// Reports the difference. Returns the values that the run uses.
@@ -128,6 +140,9 @@ void RobotTest::choose_numbers(RobotNumbers& found) {
         TestedType& tested = types_.emplace_back();
         tested.space = number_space(explored_.system, explored_.values, number);
         tested.explored = &*place;
+        for (const auto& numbers : place->values)
+            tested.explored_values.push_back(nearest_value(tested.space, numbers));
+        tested.space.most_items = explored_.code.tracking->deployed->capacity[types_.size() - 1];
         const std::int32_t* const inputs = explored_.code.tracking->input;
         const auto own = static_cast<std::int32_t>(types_.size() - 1);
         if (std::find(inputs, inputs + explored_.code.inputs, own) == inputs + explored_.code.inputs) continue;
@@ -141,13 +156,25 @@ void RobotTest::choose_numbers(RobotNumbers& found) {
     }
 }
 
+/// Whether the code has places for the explored sequences, and the states of a run fit into memory.
+bool RobotTest::fits(RobotNumbers& found, const TrackedCycles& cycles) const {
+    for (const TestedType& type : types_) {
+        const std::size_t longest =
+            std::ranges::max(type.explored->values, {}, [](const auto& value) { return value.size(); }).size();
+        if (type.space.sequences && longest > type.space.most_items)
+            found.limit = fmt::format("the code has no place for sequences of {} items", longest);
+    }
+    if (cycles.images * std::size_t{explored_.code.tracking->deployed->state_size} > most_bytes)
+        found.limit = "the states of the code are too large";
+    return found.limit.empty();
+}
+
 /// Returns the numbers of a round. Round 0 assigns the explored values themselves, and so do all other rounds for types
 /// without inputs. In each round, all free values of a region get further values of this region.
 Assignment RobotTest::assignment(std::size_t round) const {
     Assignment result;
     for (const TestedType& type : types_) {
-        std::vector<TriedValue>& values = result.emplace_back();
-        for (const auto& numbers : type.explored->values) values.push_back(nearest_value(type.space, numbers));
+        std::vector<TriedValue>& values = result.emplace_back(type.explored_values);
         for (const TriedRegion& region : type.regions) {
             const std::size_t free = type.free_places(region).size();
             for (std::size_t p = 0; p < region.places.size(); ++p) {
@@ -163,8 +190,8 @@ Assignment RobotTest::assignment(std::size_t round) const {
 NumberTables RobotTest::tables_of(const Assignment& numbers) {
     NumberTables tables;
     for (const std::vector<TriedValue>& values : numbers) {
-        std::vector<std::int64_t>& table = tables.emplace_back();
-        for (const TriedValue& value : values) std::ranges::copy(bits_of(value), std::back_inserter(table));
+        std::vector<NumbersOfValue>& table = tables.emplace_back();
+        for (const TriedValue& value : values) table.push_back(bits_of(value));
     }
     return tables;
 }
@@ -204,7 +231,9 @@ void RobotTest::name_comparisons(Result& result, const Assignment& numbers, cons
         for (const ir::ModelComparison& comparison : explored_.values.comparisons) {
             if (comparison.type != tested.explored->type || !comparison.expr->span.is_known()) continue;
             const auto robot = compare_on_robot(explored_.system, comparison, tested.space, value);
-            if (!robot || robot->answer == comparison.answers[place]) continue;
+            if (!robot) continue;
+            const bool answer = answer_in_model(comparison, tested.space, value, place);
+            if (robot->answer == answer) continue;
             const diagnostics::Span span = comparison.expr->span;
             const std::string_view source = explored_.sources.source_text(span.source);
             const std::string text = diagnostics::escape_for_display(
@@ -214,7 +243,7 @@ void RobotTest::name_comparisons(Result& result, const Assignment& numbers, cons
             result.explanation.where.push_back(where);
             if (known.size() == 1)
                 result.reason = fmt::format("`{}` is {} for {}, but {} in the code, which compares {} with {}", text,
-                                            comparison.answers[place], value_text(tested.space, value), robot->answer,
+                                            answer, text_of(comparison, *robot, tested.space, value), robot->answer,
                                             robot->left, robot->right);
         }
     }
@@ -275,7 +304,26 @@ void RobotTest::try_special_values(RobotNumbers& found, DeployedCode& code) cons
         try_special_value(found, {fmt::format("{}", value), true, {}}, false, value, code);
 }
 
-/// Tries the special value as each part of a value. The other parts come from each region that is not a boundary.
+/// Returns the sets of parts that special values replace together: each number alone; for a sequence, the first item of
+/// each window, and all items.
+std::vector<std::vector<std::size_t>> replaced_parts(const NumberSpace& space, const TriedValue& value) {
+    std::set<std::vector<std::size_t>> result;
+    if (!space.sequences) {
+        for (std::size_t part = 0; part < value.size(); ++part) result.insert({part});
+    } else if (!value.empty()) {
+        for (const ir::Cut& cut : space.cuts) {
+            if (!cut.window || cut.window->places.empty()) continue;
+            const auto first = static_cast<std::size_t>(cut.window->places.front() - 1);
+            if (first < value.size()) result.insert({first});
+        }
+        std::vector<std::size_t> all(value.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        result.insert(std::move(all));
+    }
+    return {result.begin(), result.end()};
+}
+
+/// Tries the special value in the parts of a value. The other parts come from each region that is not a boundary.
 void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special special, bool real, std::int64_t bits,
                                   DeployedCode& code) const {
     bool possible = false;
@@ -283,13 +331,13 @@ void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special spe
     for (std::uint32_t type = 0; type < types_.size(); ++type) {
         const NumberSpace& space = types_[type].space;
         std::set<std::vector<std::int64_t>> tried;
-        for (std::size_t part = 0; part < space.parts.size(); ++part) {
-            const ir::TypeKind kind = space.parts[part].kind;
-            if ((kind == ir::TypeKind::real) != real || (kind == ir::TypeKind::nat && bits < 0)) continue;
-            for (const TriedRegion& region : types_[type].regions) {
-                if (region.boundary && space.parts.size() > 1) continue;
+        for (const TriedRegion& region : types_[type].regions) {
+            if (region.boundary && (space.sequences || space.parts.size() > 1)) continue;
+            for (const std::vector<std::size_t>& parts : replaced_parts(space, region.values.front())) {
+                const ir::TypeKind kind = space.part(parts.front()).kind;
+                if ((kind == ir::TypeKind::real) != real || (kind == ir::TypeKind::nat && bits < 0)) continue;
                 TriedValue value = region.values.front();
-                value[part] = {bits, std::nullopt};
+                for (const std::size_t part : parts) value[part] = {bits, std::nullopt};
                 if (!tried.insert(bits_of(value)).second) continue;
                 possible = true;
                 unlike.merge(inputs_unlike_numbers(type, value, special.limit, code));

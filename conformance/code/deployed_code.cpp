@@ -136,11 +136,14 @@ DeployedCode::DeployedCode(const rc_interface& code, const TrackedCycles& explor
     begin_.resize(explored.images + 1, explored.cycles.size());
 }
 
-void DeployedCode::set_values() {
-    for (std::uint32_t t = 0; t < numbers_.size(); ++t) {
-        const std::size_t count = numbers_[t].size() / parts_[t].size();
-        deployed_.set_values(t, static_cast<std::uint32_t>(count), numbers_[t].data());
+void DeployedCode::set_values(std::uint32_t type) {
+    std::vector<std::int64_t>& flat = set_[type];
+    flat.clear();
+    for (const NumbersOfValue& value : numbers_[type]) {
+        if (deployed_.capacity[type] > 0) flat.push_back(static_cast<std::int64_t>(value.size()));
+        flat.insert(flat.end(), value.begin(), value.end());
     }
+    deployed_.set_values(type, static_cast<std::uint32_t>(numbers_[type].size()), flat.data());
 }
 
 /// Makes a cycle from the state of the run. Returns true if its outputs, its result and its next state are the expected
@@ -182,8 +185,8 @@ bool DeployedCode::same_writes(const TrackedCycle& cycle) const {
 bool DeployedCode::same_value(std::uint32_t type, std::int64_t expected, std::int64_t found) const {
     if (expected < 0 || found < 0) return false;
     const auto place = static_cast<std::size_t>(expected);
-    const std::size_t count = numbers_[type].size() / parts_[type].size();
-    const std::size_t explored = baseline_.empty() ? count : baseline_[type].size() / parts_[type].size();
+    const std::size_t count = numbers_[type].size();
+    const std::size_t explored = baseline_.empty() ? count : baseline_[type].size();
     if (same_row(type, place, static_cast<std::size_t>(found))) return true;
     return count > explored && same_row(type, place + explored, static_cast<std::size_t>(found));
 }
@@ -191,8 +194,8 @@ bool DeployedCode::same_value(std::uint32_t type, std::int64_t expected, std::in
 bool DeployedCode::same_row(std::uint32_t type, std::size_t one, std::size_t other) const {
     const std::vector<ir::NumberPart>& parts = parts_[type];
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        const std::int64_t a = numbers_[type][one * parts.size() + p];
-        const std::int64_t b = numbers_[type][other * parts.size() + p];
+        const std::int64_t a = numbers_[type][one][p];
+        const std::int64_t b = numbers_[type][other][p];
         const bool zeros = parts[p].kind == ir::TypeKind::real && std::bit_cast<double>(a) == std::bit_cast<double>(b);
         if (a != b && !zeros) return false;
     }
@@ -202,7 +205,8 @@ bool DeployedCode::same_row(std::uint32_t type, std::size_t one, std::size_t oth
 std::optional<Deviation> DeployedCode::first_deviation(const NumberTables& numbers) {
     baseline_.clear();
     numbers_ = numbers;
-    set_values();
+    set_.resize(numbers.size());
+    for (std::uint32_t type = 0; type < numbers.size(); ++type) set_values(type);
     for (std::size_t c = 0; c < explored_.cycles.size(); ++c)
         if (!make_cycle(explored_.cycles[c])) return deviation_at(c);
     baseline_ = numbers;
@@ -226,12 +230,13 @@ bool DeployedCode::is_changed(std::uint32_t image) const {
 
 /// Returns the cycles that differ from the baseline. Only cycles that read the value, or begin in a state that depends
 /// on it, can differ.
-std::vector<std::size_t> DeployedCode::deviations(ValuePlace changed, const std::vector<std::int64_t>& numbers) {
-    numbers_ = baseline_;
-    std::vector<std::int64_t>& table = numbers_[changed.type];
-    std::ranges::copy(numbers, table.begin() + static_cast<std::ptrdiff_t>(changed.value * numbers.size()));
-    table.insert(table.end(), baseline_[changed.type].begin(), baseline_[changed.type].end());
-    set_values();
+std::vector<std::size_t> DeployedCode::deviations(ValuePlace changed, const NumbersOfValue& numbers) {
+    const std::vector<NumbersOfValue>& baseline = baseline_[changed.type];
+    std::vector<NumbersOfValue>& table = numbers_[changed.type];
+    table.at(changed.value) = numbers;
+    // No output contains a sequence, so no search for an equal sequence follows.
+    if (deployed_.capacity[changed.type] == 0) table.insert(table.end(), baseline.begin(), baseline.end());
+    set_values(changed.type);
     states_ = baseline_states_;
     const std::vector<std::size_t>& reading = readers_[{changed.type, changed.value}];
     std::set<std::size_t> open(reading.begin(), reading.end());
@@ -244,6 +249,9 @@ std::vector<std::size_t> DeployedCode::deviations(ValuePlace changed, const std:
         if (!cycle.first || !is_changed(cycle.next)) continue;
         for (std::size_t c = begin_[cycle.next]; c < begin_[cycle.next + 1]; ++c) open.insert(c);
     }
+    table.resize(baseline.size());
+    table[changed.value] = baseline[changed.value];
+    set_values(changed.type);
     return result;
 }
 

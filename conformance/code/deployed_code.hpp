@@ -21,9 +21,11 @@
 
 namespace robochart::conformance {
 
-/// For each tracked type, the numbers of all its values, one after another: the bits of a double, or a whole number.
-using NumberTables = std::vector<std::vector<std::int64_t>>;
-/// For each tracked type, the number parts that a value consists of.
+/// The numbers of a value: the bits of a double, or a whole number.
+using NumbersOfValue = std::vector<std::int64_t>;
+/// For each tracked type, its values.
+using NumberTables = std::vector<std::vector<NumbersOfValue>>;
+/// For each tracked type, the number parts that a value consists of; none for sequences.
 using PartsOfTypes = std::vector<std::vector<ir::NumberPart>>;
 /// For each output and argument, the index of its tracked type; no value for other types.
 using OutputTypes = std::vector<std::vector<std::optional<std::uint32_t>>>;
@@ -76,7 +78,7 @@ public:
     [[nodiscard]] std::optional<Deviation> first_deviation(const NumberTables& numbers);
     /// Returns the cycles in which the behaviour differs from that of the tracked code if one value gets other numbers
     /// than in the baseline.
-    [[nodiscard]] std::vector<std::size_t> deviations(ValuePlace changed, const std::vector<std::int64_t>& numbers);
+    [[nodiscard]] std::vector<std::size_t> deviations(ValuePlace changed, const NumbersOfValue& numbers);
     /// Returns the cycles from the beginning to this one.
     [[nodiscard]] std::vector<std::size_t> path_to(std::size_t cycle) const;
     /// Returns the inputs whose registers contain the value in a cycle.
@@ -85,7 +87,7 @@ public:
 private:
     using Bytes = std::vector<unsigned char>;
 
-    void set_values();
+    void set_values(std::uint32_t type);
     [[nodiscard]] bool make_cycle(const TrackedCycle& cycle);
     [[nodiscard]] bool same_writes(const TrackedCycle& cycle) const;
     [[nodiscard]] bool same_value(std::uint32_t type, std::int64_t expected, std::int64_t found) const;
@@ -101,9 +103,10 @@ private:
     const OutputTypes& output_types_;
     diagnostics::Pollable& budget_;
     std::size_t size_;
-    NumberTables numbers_;   ///< numbers of the run; in `deviations`, the numbers of the baseline follow them
-    NumberTables baseline_;  ///< numbers of the last run without a deviation
-    Bytes states_;           ///< states of the run, by image
+    NumberTables numbers_;                        ///< numbers of the run; those of the baseline outside `deviations`
+    std::vector<std::vector<std::int64_t>> set_;  ///< the same numbers as the code reads them
+    NumberTables baseline_;                       ///< numbers of the last run without a deviation
+    Bytes states_;                                ///< states of the run, by image
     Bytes baseline_states_;
     std::vector<std::size_t> first_;  ///< by image: the first cycle that leads to it
     std::vector<std::size_t> begin_;  ///< by image: the first cycle that begins in it; then the number of cycles

@@ -467,7 +467,10 @@ private:
         out_.gap();
         out_.line("namespace deployed {");
         out_.gap();
-        out_.line("struct Checking : robochart::Deployment {};");
+        out_.line(
+            fmt::format("struct Checking : robochart::Deployment {{ [[maybe_unused]] static constexpr std::size_t "
+                        "longest = {}; }};",
+                        std::max(usual_capacity, generation_.options.tracked_length)));
         type_names();
         out_.gap();
         out_.line("static_assert(std::is_trivially_copyable_v<State>);");
@@ -484,6 +487,11 @@ private:
         out_.line("return std::memcmp(state, other, sizeof(State)) == 0 || a == b ? 1 : 0;");
         out_.close();
         out_.gap();
+        std::vector<std::string> capacities;
+        for (const ir::TypeId type : tracked_)
+            capacities.push_back(ir::is_number_sequence(generation_.system, type) ? type_text(type) + "::most" : "0");
+        out_.line(fmt::format("constexpr std::uint32_t capacities[] = {{{}}};", fmt::join(capacities, ", ")));
+        out_.gap();
         out_.line("}  // namespace deployed");
         numbers_ = Numbers::tracked;
     }
@@ -492,7 +500,7 @@ private:
     void deployed_table() {
         out_.gap();
         out_.open("constexpr rc_deployed deployed_code = {");
-        out_.line("sizeof(deployed::State),");
+        out_.line("sizeof(deployed::State), deployed::capacities,");
         out_.line("[](std::uint32_t type, std::uint32_t count, const std::int64_t* numbers) {");
         out_.line("    robochart::set_values.set(type, tracked_parts[type], count, numbers);");
         out_.line("},");

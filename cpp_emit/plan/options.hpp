@@ -94,6 +94,8 @@ struct Options {
     /// The number of units in one real, if the code for exploration computes with tracked numbers
     /// (runtime/tracked.hpp). 0 if it computes with finite carriers.
     std::int64_t tracked_scale = 0;
+    /// With tracked numbers: the length of the longest sequence with which the deployed code is run.
+    std::size_t tracked_length = 0;
     /// For Target::ros2: the messages for the component's boundary (cpp_emit/ros2/mapping.hpp). If null, messages of
     /// std_msgs are used.
     const ros2::Mapping* mapping = nullptr;

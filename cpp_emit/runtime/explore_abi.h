@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 8
+#define ROBOCHART_ABI_VERSION 9
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_CHOICES 32
 #define ROBOCHART_MAX_PARTS 8
@@ -110,7 +110,9 @@ typedef struct rc_window {
  * values that were set. An output of such a type is logged as the index of the first equal value; -1: there is none. */
 typedef struct rc_deployed {
     uint32_t state_size;     /* in bytes; states are trivially copyable */
-    /* Sets the values of a type, number by number: the bits of a double, or a 64-bit integer. They are not copied. */
+    const uint32_t* capacity; /* for each type: how many items its sequences can have; 0: its values are no sequences */
+    /* Sets the values of a type, number by number: the bits of a double, or a 64-bit integer. They are not copied. The
+     * length of a sequence comes before its items. */
     void (*set_values)(uint32_t type, uint32_t count, const int64_t* numbers);
     void (*initial)(void* state);
     rc_result (*step)(void* state, const rc_register* registers, rc_log* log);

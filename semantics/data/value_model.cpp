@@ -105,6 +105,7 @@ private:
     void add_cuts(const LinearConditions& linear, TypeId type, std::vector<Cut>& cuts) const;
     void add_comparisons(const Condition& condition, TypeId type, const std::vector<Value>& values,
                          ValueModel& result) const;
+    void add_window(MachineId machine, ModelComparison& comparison) const;
     [[nodiscard]] std::optional<ValueClasses> classes_for(PlaceId flow, const std::vector<Value>& values) const;
 
     const System& system_;
@@ -389,13 +390,28 @@ std::optional<ValueClasses> Explorer::classes_for(PlaceId flow, const std::vecto
     return result;
 }
 
+/// Sets the cut of a comparison of a window with a constant.
+void Explorer::add_window(MachineId machine, ModelComparison& comparison) const {
+    const Expr& expr = *comparison.expr;
+    if (system_.type(system_.type(comparison.type).args.at(0)).kind != TypeKind::real) return;
+    SequenceConditions conditions(system_, sampling_.instantiation().scale);
+    if (!conditions.add(expr, closed_of(machine))) return;
+    for (const auto& [window, threshold] : conditions.comparisons()) {
+        if (!window) continue;
+        comparison.cut = Cut{comparison.type, {1}, -threshold, window};
+        comparison.window = closed_of(machine)(*expr.args.at(1)) ? 0 : 1;
+    }
+}
+
 /// Adds the comparisons in a condition that have an answer for each value. The answers for sequences are not needed.
 void Explorer::add_comparisons(const Condition& condition, TypeId type, const std::vector<Value>& values,
                                ValueModel& result) const {
     visit_operands(*condition.expr, [&](const Expr& expr) {
         if (!is_comparison(expr.kind) || expr.args.size() != 2) return;
-        ModelComparison comparison{type, &expr, {}, {}};
-        for (const Value& value : is_number_sequence(system_, type) ? std::vector<Value>() : values) {
+        ModelComparison comparison{type, &expr, {}, {}, {}, 0};
+        const bool sequences = is_number_sequence(system_, type);
+        if (sequences) add_window(condition.machine, comparison);
+        for (const Value& value : sequences ? std::vector<Value>() : values) {
             const auto answer = sampling_.truth(condition.machine, expr, value);
             if (!answer || *answer < 0) return;
             comparison.answers.push_back(*answer == 1);

@@ -47,6 +47,8 @@ struct ModelComparison {
     const Expr* expr = nullptr;                     ///< the comparison in the system of the model
     std::map<const Expr*, std::int64_t> constants;  ///< its constants: reals in units, other numbers unchanged
     std::vector<bool> answers;  ///< the truth value for each explored value of the type; empty for sequences
+    std::optional<Cut> cut;     ///< for windows of sequences of reals: the window's number minus the other operand
+    std::size_t window = 0;     ///< with `cut`: the operand that reads the window, 0 or 1
 };
 
 /// A system whose numbers are literals of enumerations, one for each explored value.

@@ -7,26 +7,11 @@
 #include <algorithm>
 
 #include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/text.hpp"
 #include "semantics/ir/numbers.hpp"
 
 namespace robochart::ir {
 namespace {
-
-std::string sequence_text(const System& system, std::int64_t scale, TypeId element, const Value& value) {
-    std::vector<std::string> texts;
-    for (std::size_t i = 0; i < value.parts.size();) {
-        std::size_t end = i;
-        while (end < value.parts.size() && value.parts[end] == value.parts[i]) ++end;
-        const std::string one = value_text(system, scale, element, value.parts[i]);
-        if (end - i > 2) {
-            texts.push_back(fmt::format("{} times {}", end - i, one));
-        } else {
-            texts.insert(texts.end(), end - i, one);
-        }
-        i = end;
-    }
-    return fmt::format("<{}>", fmt::join(texts, ", "));
-}
 
 /// Returns a string in quotes. The parts of its value are its bytes.
 std::string string_text(const Value& value) {
@@ -51,7 +36,8 @@ std::string value_text(const System& system, std::int64_t scale, TypeId id, cons
         case TypeKind::boolean:
             return value.number != 0 ? "true" : "false";
         case TypeKind::sequence:
-            return sequence_text(system, scale, type.args.at(0), value);
+            add_parts(type.args);
+            return fmt::format("<{}>", diagnostics::join_equal(parts));
         case TypeKind::enumeration: {
             const auto literal = static_cast<std::size_t>(value.number);
             if (value.parts.empty()) return type.labels.at(literal);

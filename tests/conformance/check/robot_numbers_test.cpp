@@ -11,6 +11,8 @@
 #include <limits>
 #include <map>
 #include <regex>
+#include <set>
+#include <tuple>
 
 #include "conformance/check/conform.hpp"
 #include "conformance/check/numbers_to_try.hpp"
@@ -43,13 +45,15 @@ Real robot_literal(int site, double value) {
 /// The code of the machine M, with tracked numbers and with the numbers of the robot.
 class Machine {
 public:
-    explicit Machine(const std::string& text) : folder_(text), model_(folder_.path()) {
+    explicit Machine(const std::string& text, std::size_t tracked_length = 100)
+        : folder_(text), model_(folder_.path()) {
         component_ = model_.machine_named("M");
         timed_ = timed_model(model_.system, model_.instantiation, model_.sources, model_.diagnostics);
         const auto values = ir::value_model(model_.system, model_.instantiation, {ir::MachineId{0}}, {});
         EXPECT_TRUE(values.has_value());
         cpp_emit::Options options;
         options.tracked_scale = values ? values->scale : 1;
+        options.tracked_length = tracked_length;
         cpp_emit::Emission emission =
             cpp_emit::emit(timed_.model.system, timed_.model.instantiation, component_, options, model_.diagnostics);
         for (cpp_emit::OutputFile& file : emission.files)
@@ -247,6 +251,74 @@ TEST(RobotNumbers, ALiteralThatIsOneUlpWrongIsFound) {
     EXPECT_EQ(machine.judge().outcome, Outcome::conforms);
 }
 
+constexpr const char* detector = R"(
+import sequence_toolkit::*
+import set_toolkit::*
+import relation_toolkit::*
+interface Plant { heat() cool() }
+stm M {
+	event scan : Seq(real)
+	event tick
+	requires Plant
+	var s : Seq(real)
+	initial i
+	state Waiting { }
+	state Near { }
+	junction k
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to k trigger scan ? s }
+	transition t2 { from k to Near condition min(ran(extract([2, 3], s))) < 0.3 action heat() }
+	transition t3 { from k to Waiting condition min(ran(extract([2, 3], s))) >= 0.3 action cool() }
+	transition t4 { from k to Waiting condition size(s) < 2 }
+	transition t5 { from Near to Waiting trigger tick condition min(ran(extract([70, 90], s))) <= 0.7 }
+}
+)";
+
+/// Code with doubles is run with sequences up to the greatest place of a window, which is beyond the usual capacity. A
+/// window ignores NaN if it contains another number. If it does not, no transition leaves the junction.
+TEST(RobotNumbers, SequencesAreRunOverDoubles) {
+    const Machine machine(detector);
+    const Result result = machine.judge();
+    ASSERT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    ASSERT_TRUE(result.robot);
+    EXPECT_EQ(result.robot->limit, "");
+    EXPECT_EQ(result.robot->difference, "");
+    std::map<std::string, std::vector<std::string>> unlike;
+    for (const RobotNumbers::Special& special : result.robot->special) unlike[special.value] = special.unlike;
+    EXPECT_THAT(unlike.at("nan"), ElementsAre("scan"));
+    for (const char* value : {"inf", "-inf", "-0"}) EXPECT_THAT(unlike.at(value), IsEmpty()) << value;
+}
+
+/// As for numbers: `>= 0.3` with the double before 0.3 has no effect, because t2 comes first. The change of t5 is only
+/// visible in a later cycle.
+TEST(RobotNumbers, AThresholdOfAWindowThatIsOneUlpWrongIsFound) {
+    Machine machine(detector);
+    constexpr auto same = Outcome::conforms, other = Outcome::rounds;
+    const std::vector<std::pair<Outcome, Outcome>> expected{
+        {same, same},    // min(...) <= 0.7 in `dispatch`, which a cycle does not call
+        {other, other},  // min(...) < 0.3
+        {other, same},   // min(...) >= 0.3
+        {other, other},  // min(...) <= 0.7
+    };
+    ASSERT_EQ(machine.literals(), static_cast<int>(expected.size()));
+    for (int literal = 0; literal < machine.literals(); ++literal) {
+        const auto& [greater, less] = expected[static_cast<std::size_t>(literal)];
+        machine.select(2 * literal);
+        EXPECT_EQ(machine.judge().outcome, greater) << literal;
+        machine.select(2 * literal + 1);
+        EXPECT_EQ(machine.judge().outcome, less) << literal;
+    }
+}
+
+/// Code that has no place for the explored sequences refuses them, so the check does not run it.
+TEST(RobotNumbers, SequencesBeyondTheCapacityAreNotRun) {
+    const Machine machine(detector, 0);
+    const Result result = machine.judge();
+    ASSERT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    ASSERT_TRUE(result.robot);
+    EXPECT_THAT(result.robot->limit, HasSubstr("no place for sequences of"));
+}
+
 TriedNumber itself(double number) {
     return {std::bit_cast<std::int64_t>(number), std::nullopt};
 }
@@ -280,6 +352,79 @@ TEST(NumbersToTry, SignsAreExact) {
     EXPECT_EQ(sign_of(wholes, thrice, {{4, std::nullopt}}), 1);
     EXPECT_EQ(sign_of(wholes, thrice, {{std::numeric_limits<std::int64_t>::max(), std::nullopt}}), 1);
     EXPECT_EQ(sign_of(wholes, thrice, {{std::numeric_limits<std::int64_t>::min(), std::nullopt}}), -1);
+}
+
+/// A window has no sign if it contains no place of the sequence. Otherwise its least number, or its greatest, decides.
+TEST(NumbersToTry, SignsOfWindowsAreExact) {
+    const ir::NumberPart part{{}, ir::TypeKind::real};
+    const ir::TypeId type{0};
+    const NumberSpace space{{part}, {}, 10, true};
+    const ir::Cut least{type, {1}, -1, ir::SequenceWindow{{2, 3}, false}};
+    const ir::Cut greatest{type, {1}, -1, ir::SequenceWindow{{2, 3}, true}};
+    const ir::Cut reversed{type, {-1}, 1, ir::SequenceWindow{{2, 3}, false}};
+    const ir::Cut size{type, {2}, -3};
+    const TriedNumber tenth = nearest_number(space, part, 1), one = nearest_number(space, part, 10);
+    const TriedNumber above = itself(0.1), below = itself(std::nextafter(0.1, 0.0));
+    const TriedNumber huge = itself(std::numeric_limits<double>::max());
+    const std::vector<std::tuple<TriedValue, int, int, int, int>> expected{
+        {{}, 2, 2, 2, -1},
+        {{below}, 2, 2, 2, -1},
+        {{below, one}, 1, 1, -1, 1},
+        {{below, tenth}, 0, 0, 0, 1},
+        {{below, above}, 1, 1, -1, 1},
+        {{below, one, below}, -1, 1, 1, 1},
+        {{one, tenth, above, below}, 0, 1, 0, 1},
+        {{one, tenth, below}, -1, 0, 1, 1},
+        {{one, huge, itself(-0.0)}, -1, 1, 1, 1},
+    };
+    for (const auto& [sequence, of_least, of_greatest, of_reversed, of_size] : expected) {
+        SCOPED_TRACE(value_text(space, sequence));
+        EXPECT_EQ(sign_of(space, least, sequence), of_least);
+        EXPECT_EQ(sign_of(space, greatest, sequence), of_greatest);
+        EXPECT_EQ(sign_of(space, reversed, sequence), of_reversed);
+        EXPECT_EQ(sign_of(space, size, sequence), of_size);
+    }
+    EXPECT_EQ(value_text(space, {one, tenth, tenth, tenth, below}), "<1, 3 times 0.1, 0.09999999999999999>");
+}
+
+/// The window contains the places 2 and 3, and the threshold is 0.3.
+TEST(NumbersToTry, TheDoublesAroundTheThresholdOfAWindowAreTried) {
+    const ir::NumberPart part{{}, ir::TypeKind::real};
+    const ir::TypeId type{0};
+    const NumberSpace space{{part}, {{type, {1}, -3, ir::SequenceWindow{{2, 3}, false}}, {type, {2}, -3}}, 10, true, 5};
+    const ir::ExploredValues explored{type, {{}, {9}, {9, 2, 2}, {8, 1, 1}, {9, 3, 3}, {9, 4, 4}, {8, 5, 5}}, 1};
+    diagnostics::Unlimited budget;
+    const std::vector<TriedRegion> regions = numbers_to_try(space, explored, 16, budget);
+    ASSERT_EQ(regions.size(), 4U);
+    EXPECT_THAT(regions[0].places, ElementsAre(0U, 1U));
+    EXPECT_THAT(regions[1].places, ElementsAre(2U, 3U));
+    EXPECT_THAT(regions[2].places, ElementsAre(4U));
+    EXPECT_THAT(regions[3].places, ElementsAre(5U, 6U));
+    EXPECT_TRUE(regions[2].boundary);
+    EXPECT_FALSE(regions[0].boundary);
+    const TriedNumber nine = nearest_number(space, part, 9), exact = nearest_number(space, part, 3);
+    const TriedNumber below = itself(std::nextafter(0.3, 0.0)), above = itself(std::nextafter(0.3, 1.0));
+    const auto contains = [&](const TriedRegion& region, const TriedValue& sequence) {
+        return std::ranges::any_of(region.values, [&](const TriedValue& value) {
+            return std::ranges::equal(value, sequence, {}, &TriedNumber::bits, &TriedNumber::bits);
+        });
+    };
+    EXPECT_TRUE(contains(regions[1], {nine, below, exact}));
+    EXPECT_TRUE(contains(regions[1], {nine, exact, below}));
+    EXPECT_TRUE(contains(regions[1], {nine, below, below}));
+    EXPECT_TRUE(contains(regions[2], {nine, above, exact}));
+    EXPECT_TRUE(contains(regions[3], {nine, above, above}));
+    for (const TriedRegion& region : regions) {
+        EXPECT_GT(region.values.size(), region.places.size());
+        std::set<std::size_t> lengths;
+        for (const TriedValue& value : region.values) {
+            lengths.insert(value.size());
+            for (const ir::Cut& cut : space.cuts)
+                EXPECT_EQ(sign_of(space, cut, value), sign_of(space, cut, region.values.front()));
+        }
+        EXPECT_LE(*lengths.rbegin(), 5U);
+        EXPECT_GE(lengths.size(), 2U);
+    }
 }
 
 /// Of the doubles around the threshold 0.1, only the double 0.1 represents the threshold, although it is greater.

@@ -69,7 +69,7 @@ TEST(SharedObject, MissingInterface) {
 TEST(SharedObject, WrongVersion) {
     std::string error;
     EXPECT_FALSE(test::hand_made("turner", 12, error));
-    EXPECT_THAT(error, HasSubstr("version 9 where 8"));
+    EXPECT_THAT(error, HasSubstr("version 10 where 9 is needed"));
 }
 
 TEST(SharedObject, UndefinedSymbol) {
