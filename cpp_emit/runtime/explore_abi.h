@@ -97,7 +97,8 @@ typedef struct rc_window {
     uint32_t type;
     uint32_t part;           /* an index into rc_comparison.coefficient; 0 is the size */
     uint32_t greatest;       /* 0: the least number */
-    const uint64_t* places;  /* ROBOCHART_MAX_PLACES bits; the lowest bit of the first word is place 1 */
+    const uint64_t* places;  /* ROBOCHART_MAX_PLACES bits; the lowest bit of the first word is place 1. The last place
+                              * represents all places after it too. */
 } rc_window;
 
 /* Uses of input values that are neither copies nor comparisons of a linear form. */

@@ -50,6 +50,12 @@ struct PlaceSet {
     void add(std::int64_t place) noexcept {
         word[(place - 1) / 64] |= std::uint64_t{1} << (static_cast<std::uint64_t>(place - 1) % 64);
     }
+    /// Returns the places of a whole sequence. The last place stands for all places after it too.
+    [[nodiscard]] static PlaceSet all() noexcept {
+        PlaceSet result;
+        for (std::uint64_t& bits : result.word) bits = ~std::uint64_t{0};
+        return result;
+    }
     [[nodiscard]] bool has(std::int64_t place) const noexcept {
         return (word[(place - 1) / 64] >> (static_cast<std::uint64_t>(place - 1) % 64) & 1U) != 0;
     }

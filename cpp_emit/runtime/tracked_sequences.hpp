@@ -126,8 +126,8 @@ struct OwnFolds<view::Window<Places, view::Items<Collection>>,
 
     static PlaceSet places_of(const View& view) noexcept {
         PlaceSet result;
-        view::any_place(view.places(), 1, ROBOCHART_MAX_PLACES + 1, [&](std::int64_t place) {
-            if (place > ROBOCHART_MAX_PLACES)
+        view::any_place(view.places(), 1, ROBOCHART_MAX_PLACES, [&](std::int64_t place) {
+            if (place >= ROBOCHART_MAX_PLACES)
                 tracking.lose(RC_TRACKED_INEXACT);
             else
                 result.add(place);
@@ -148,7 +148,12 @@ struct OwnFolds<view::Window<Places, view::Items<Collection>>,
 template <class Collection>
 struct OwnFolds<view::Items<Collection>,
                 std::enable_if_t<detail::IsTrackedSequence<std::decay_t<Collection>>::value>> : std::true_type {
-    static bool empty(const view::Items<Collection>& view) noexcept { return view.collection().is_shorter_than(1); }
+    using View = view::Items<Collection>;
+
+    static bool empty(const View& view) noexcept { return view.collection().is_shorter_than(1); }
+    static typename View::value_type extremum(const View& view, bool greatest) noexcept {
+        return view.collection().extremum(PlaceSet::all(), greatest);
+    }
 };
 
 }  // namespace robochart

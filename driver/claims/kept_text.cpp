@@ -33,7 +33,7 @@ std::string reason_text(ir::KeepReason why, const std::string& expr) {
         case contract:
             return fmt::format("`{}` is a precondition or postcondition of an operation", expr);
         case form:
-            return fmt::format("`{}` is neither linear nor about windows of the first 4096 places, and {}", expr,
+            return fmt::format("`{}` is neither linear nor about windows of the first 4095 places, and {}", expr,
                                ir::has_solver() ? "Z3 finds no classes" : "this program was built without Z3");
         case conditions:
             return "there are more than 64 conditions";

@@ -2,6 +2,7 @@
 #include "semantics/data/windows.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 
 #include "base/diagnostics/containers.hpp"
@@ -11,7 +12,6 @@
 namespace robochart::ir {
 namespace {
 
-constexpr std::int64_t longest_sequence = 4096;
 constexpr std::size_t most_candidates = 5'000;
 /// With this limit, the numbers next to a threshold fit into 64 bits.
 constexpr std::int64_t greatest_threshold = std::int64_t{1} << 56U;
@@ -28,6 +28,12 @@ const Expr& without_casts(const Expr& expr) {
 
 bool is_place(const Expr& expr) {
     return expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value;
+}
+
+SequenceWindow all_places(bool greatest) {
+    SequenceWindow window{std::vector<std::int64_t>(static_cast<std::size_t>(last_place)), greatest};
+    std::iota(window.places.begin(), window.places.end(), std::int64_t{1});
+    return window;
 }
 
 }  // namespace
@@ -67,13 +73,14 @@ bool SequenceConditions::add_comparison(const Expr& subject, const Expr& with) {
     return add_window(plain, value->number);
 }
 
-/// Adds a comparison of `min(ran(extract(W, s)))`, or of the same expression with `max`.
+/// Adds a comparison of `min(ran(extract(W, s)))` or of `min(ran(s))`, or of the same expression with `max`.
 bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold) {
     const bool greatest = is_toolkit(extremum, "sequence_toolkit_max");
     if (!greatest && !is_toolkit(extremum, "sequence_toolkit_min")) return false;
     const Expr& range = without_casts(*extremum.args.at(0));
     if (!is_toolkit(range, "relation_toolkit_ran")) return false;
     const Expr& extract = without_casts(*range.args.at(0));
+    if (is_place(extract)) return add_threshold(all_places(greatest), threshold);
     if (!is_toolkit(extract, "sequence_toolkit_extract") || !is_place(*extract.args.at(1))) return false;
     const auto places = closed_(*extract.args.at(0));
     if (!places) return false;
@@ -81,12 +88,12 @@ bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold
     for (const Value& place : places->parts)
         if (place.number >= 1) window.places.push_back(place.number);
     diagnostics::sort_unique(window.places);
+    if (!window.places.empty() && window.places.back() >= last_place) return false;
     return add_threshold(window, threshold);
 }
 
 bool SequenceConditions::add_threshold(const SequenceWindow& window, std::int64_t threshold) {
     if (threshold <= -greatest_threshold || threshold >= greatest_threshold) return false;
-    if (!window.places.empty() && window.places.back() > longest_sequence) return false;
     const auto known = std::ranges::find(windows_, window);
     const auto number = static_cast<std::size_t>(known - windows_.begin());
     if (known == windows_.end()) {
@@ -99,7 +106,7 @@ bool SequenceConditions::add_threshold(const SequenceWindow& window, std::int64_
 
 bool SequenceConditions::add_size(std::int64_t size) {
     sizes_.insert(size);
-    return size < longest_sequence;
+    return size < last_place;
 }
 
 std::vector<SequenceConditions::Comparison> SequenceConditions::comparisons() const {
@@ -150,7 +157,7 @@ std::vector<std::int64_t> SequenceConditions::lengths() const {
     for (const auto& [windows, places] : cells()) {
         found.insert(places.front());
         found.insert(places.front() - 1);
-        found.insert(places.back());
+        if (places.back() < last_place) found.insert(places.back());
     }
     for (const std::int64_t size : sizes_)
         for (const std::int64_t length : {size - 1, size, size + 1})

@@ -7,7 +7,8 @@
 // the least numbers in its cells. So a sequence may be replaced by one that contains in each cell only the cell's least
 // number (for `max`, the greatest). (2) Only the length of the sequence determines which cells contain elements, and
 // this changes only at the first place of a cell. (3) The answer of a comparison with a constant changes only at this
-// constant. Step 1 requires that all windows use `min`, or all use `max`.
+// constant. Step 1 requires that all windows use `min`, or all use `max`. `min(ran(scan))` reads the window of all
+// places. The places after the last place of the other windows are one cell, so its first place represents all of them.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +38,8 @@ public:
     /// True if some windows use `min` and others use `max`. In that case there are no candidates.
     [[nodiscard]] bool has_both_extremes() const;
 
-    /// Adds a comparison of the number in a window, or of the size, with a threshold. Returns false if the threshold,
-    /// the size or a place of the window is too large.
+    /// Adds a comparison of the number in a window, or of the size, with a threshold. Returns false if the threshold or
+    /// the size is too large.
     [[nodiscard]] bool add_threshold(const SequenceWindow& window, std::int64_t threshold);
     [[nodiscard]] bool add_size(std::int64_t size);
     /// A comparison of the number in a window, or of the size (no window), with a threshold.

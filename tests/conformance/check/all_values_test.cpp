@@ -480,6 +480,59 @@ TEST(AllValuesOfSequences, EveryFaultyWindowIsFound) {
     EXPECT_GE(survivors, 3) << "one value of each class of the model would find as much";
 }
 
+constexpr const char* bumper = R"(
+import sequence_toolkit::*
+import set_toolkit::*
+import relation_toolkit::*
+enumeration Side { far near ahead }
+stm Bumper {
+	event scan : Seq(real)
+	event seen : Side
+	var ranges : Seq(real)
+	initial i
+	state Waiting { }
+	junction which
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to which trigger scan?ranges }
+	transition t2 { from which to Waiting condition min(ran(ranges)) >= 0.5 action seen!Side::far }
+	transition t3 { from which to Waiting condition min(ran(ranges)) < 0.5 /\
+		not (min(ran(extract([2, 3], ranges))) < 0.5) action seen!Side::near }
+	transition t4 { from which to Waiting condition min(ran(extract([2, 3], ranges))) < 0.5 action seen!Side::ahead }
+	transition t5 { from which to Waiting condition size(ranges) < 2 }
+}
+)";
+
+/// The first two faults overlook items after the ninth, or the first one. The next one takes an empty scan for a far
+/// one, and the last one exchanges the least number for the greatest.
+TEST(AllValuesOfSequences, TheLeastNumberOfAWholeSequenceIsDecided) {
+    const std::string least = "robochart::view::min<Real>(robochart::view::items(local_ranges.value)) >= Real(0.5)";
+    const std::string items = "robochart::view::items(local_ranges.value)";
+    const auto window = [&](const char* first, const char* last) {
+        return "robochart::view::min<Real>(robochart::view::extract(robochart::view::Interval<Nat>(Nat(" +
+               std::string(first) + "), Nat(" + last + ")), " + items + ")) >= Real(0.5)";
+    };
+    Mutants mutants(
+        bumper, "Bumper",
+        {{"!robochart::view::empty(" + items + ") && " + least,
+          "(robochart_mutant == -22 && robochart::view::empty(" + items + ")) || (!robochart::view::empty(" + items +
+              ") && (robochart_mutant == -20 ? " + window("1", "9") + " : robochart_mutant == -21 ? " +
+              window("2", "4095") + " : robochart_mutant == -23 ? robochart::view::max<Real>(" + items +
+              ") >= Real(0.5) : " + least + "))"}});
+    ASSERT_TRUE(mutants.is_compiled());
+    const ForAllValues original = mutants.judge();
+    ASSERT_TRUE(original.result) << original.reason;
+    ASSERT_EQ(original.result->outcome, Outcome::conforms) << original.result->reason;
+    ASSERT_EQ(original.result->all_values.size(), 1U);
+    EXPECT_TRUE(original.result->all_values.front().all_values);
+    for (const int mutant : {-20, -21, -22, -23}) {
+        SCOPED_TRACE(mutant);
+        mutants.select(mutant);
+        const ForAllValues judged = mutants.judge();
+        ASSERT_TRUE(judged.result) << judged.reason;
+        EXPECT_EQ(judged.result->outcome, Outcome::differs);
+    }
+}
+
 /// Returns the literals of Side that the scanner sends for this scan, computed in the RoboChart semantics with the
 /// exact values of the doubles.
 std::string side_seen(const std::vector<double>& scan) {

@@ -145,18 +145,21 @@ TEST(Classes, OfOneNumberAreTheIntervalsBetweenThresholds) {
     EXPECT_EQ(only_data(reading("int", {"x in [1, 3]"})).classes, 2U);
 }
 
-/// A condition that compares one window of at most five places with a number.
+/// A condition that compares one window of at most four places, or the whole sequence, with a number.
 struct WindowTest {
+    bool whole = false;
     int first = 1, last = 1, relation = 0;
     double number = 0;
 
     [[nodiscard]] std::string text() const {
-        return fmt::format("min(ran(extract([{}, {}], x))) {} {:.1f}", first, last, relations[relation], number);
+        const std::string items = whole ? "x" : fmt::format("extract([{}, {}], x)", first, last);
+        return fmt::format("min(ran({})) {} {:.1f}", items, relations[relation], number);
     }
     /// Returns 1 or 0, or -1 if the sequence has no place in the window.
     [[nodiscard]] int answer(const std::vector<double>& sequence) const {
         std::optional<double> least;
-        for (int place = first; place <= last && place <= static_cast<int>(sequence.size()); ++place) {
+        const auto length = static_cast<int>(sequence.size());
+        for (int place = whole ? 1 : first; place <= (whole ? length : std::min(last, length)); ++place) {
             const double element = sequence[static_cast<std::size_t>(place - 1)];
             least = least ? std::min(*least, element) : element;
         }
@@ -173,7 +176,8 @@ TEST(Classes, OfSequencesAreTheCombinationsThatExistWithUndefinedConditions) {
         std::vector<std::string> texts;
         for (int w = draw(random, 1, 3); w > 0; --w) {
             const int first = draw(random, 1, 4);
-            windows.push_back({first, draw(random, first, 4), draw(random, 0, 5), draw(random, 1, 3) / 2.0});
+            windows.push_back(
+                {draw(random, 0, 3) == 0, first, draw(random, first, 4), draw(random, 0, 5), draw(random, 1, 3) / 2.0});
             texts.push_back(windows.back().text());
         }
         std::set<std::vector<int>> answers;
@@ -182,7 +186,7 @@ TEST(Classes, OfSequencesAreTheCombinationsThatExistWithUndefinedConditions) {
             std::vector<int> of_sequence;
             for (const WindowTest& window : windows) of_sequence.push_back(window.answer(sequence));
             answers.insert(of_sequence);
-            if (sequence.size() == 4) return;
+            if (sequence.size() == 5) return;  // one item more than the windows have
             for (const double element : elements) {
                 sequence.push_back(element);
                 self(self);

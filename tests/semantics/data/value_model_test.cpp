@@ -130,7 +130,8 @@ TEST(ValueModels, EveryRegionOfSequencesHasTwoValues) {
     const char* near = "min(ran(extract([2, 3], x))) < 0.5";
     for (const std::string& guard :
          {std::string(near), std::string(near) + " /\\ not (min(ran(extract([3, 5], x))) < 0.5)",
-          std::string("size(x) == 4 /\\ max(ran(extract([1, 2], x))) >= 1.5"), std::string("size(x) > 2")}) {
+          std::string("size(x) == 4 /\\ max(ran(extract([1, 2], x))) >= 1.5"), std::string("size(x) > 2"),
+          std::string(near) + " /\\ not (min(ran(x)) < 0.5)", std::string("max(ran(x)) > 1.0 /\\ size(x) == 3")}) {
         SCOPED_TRACE(guard);
         const auto model = sequence_values("real", guard);
         ASSERT_TRUE(model);
@@ -157,6 +158,16 @@ TEST(ValueModels, OtherUsesOfSequencesHaveNone) {
     EXPECT_FALSE(sequence_values("real", "x[2] < 0.5"));
     EXPECT_FALSE(sequence_values("real", "x == <1.0>"));
     EXPECT_FALSE(sequence_values("real", "min(ran(extract([1, 2], x))) < 0.5 /\\ max(ran(extract([1, 2], x))) > 0.5"));
+}
+
+/// Place 4,096 represents all places after it, so only the window of all places has it.
+TEST(ValueModels, WindowsOfTheFirst4095PlacesAreDivided) {
+    EXPECT_TRUE(sequence_values("real", "min(ran(extract([4000, 4095], x))) < 0.5"));
+    EXPECT_FALSE(sequence_values("real", "min(ran(extract([4000, 4096], x))) < 0.5"));
+    EXPECT_FALSE(sequence_values("real", "min(ran(extract([1, 4096], x))) < 0.5"));
+    const auto whole = sequence_values("real", "min(ran(x)) < 0.5");
+    ASSERT_TRUE(whole);
+    for (const auto& value : whole->types.front().values) EXPECT_LE(value.size(), 3U) << "few items represent all";
 }
 
 TEST(ValueModels, CutsDivideRegions) {
