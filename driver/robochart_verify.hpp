@@ -159,8 +159,8 @@ struct CheckResult {
     std::vector<Finding> findings;  ///< findings about the check itself, for example about unknown claims
     std::string limit;              ///< why the check ended early; "" if it did not
 
-    /// True if at least one claim holds or has a value, all other claims hold, have a value or have no check in this
-    /// semantics, and no finding is an error. Informative answers are ignored.
+    /// Returns true if at least one claim holds or has a value, all other claims hold, have a value or have no check in
+    /// this semantics, and no finding is an error. Informative answers are ignored.
     [[nodiscard]] bool all_hold() const;
 };
 

@@ -22,7 +22,7 @@ namespace robochart::conformance {
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
-/// True if there are so many valuations of the inputs that reading on demand is faster than trying all of them.
+/// Returns true if there are so many valuations of the inputs that reading on demand is faster than trying all of them.
 [[nodiscard]] bool many_valuations(const Interface&);
 
 /// Completes a result with a run of NF_c(M) which shows that M cannot be run in cycles. `model` is the graph of M.

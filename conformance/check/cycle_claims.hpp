@@ -33,7 +33,8 @@ struct ClaimedModel {
     const csp_emit::Provenance& provenance;
 };
 
-/// True if a condition of the claim reads values of events. Such a claim is decided for the values of the carriers.
+/// Returns true if a condition of the claim reads values of events. Such a claim is decided for the values of the
+/// carriers.
 [[nodiscard]] bool reads_values(const claims::CheckedClaim& claim);
 
 /// Decides the claims for the model in cycles and for the code. An inconclusive answer contains the reason.

@@ -28,8 +28,8 @@ struct WaitingClaim {
 void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContext& search,
                      const std::function<void()>& give_back = {});
 
-/// True if the run must end, because of its time limit or an interrupt. The memory limit is not considered, because a
-/// single claim may have reached it.
+/// Returns true if the run must end, because of its time limit or an interrupt. The memory limit is not considered,
+/// because a single claim may have reached it.
 [[nodiscard]] bool run_is_over(const diagnostics::Budget&);
 
 /// Returns the reason for a claim that --assertion-timeout left undecided. It replaces the claim's own reason.

@@ -27,7 +27,7 @@ struct BrokenClaims {
 /// Returns no value if an error is not in an assertion file, or if all remaining claims could depend on a part that
 /// cannot be read. In these cases, no claim is decided.
 [[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
-/// True if there are errors, and all of them are in assertion files.
+/// Returns true if there are errors, and all of them are in assertion files.
 [[nodiscard]] bool only_claims_broken(const Project&);
 
 }  // namespace robochart::driver

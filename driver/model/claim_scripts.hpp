@@ -21,8 +21,8 @@ void add_claims(Project& project, csp_emit::Emission& emission);
 /// projects with swarms.
 [[nodiscard]] std::optional<std::size_t> claim_of(const Project& project, const csp_emit::Obligation& obligation);
 
-/// True if the obligation is a claim that another script decides: it reads states or variables (showing_scripts), or it
-/// sets constants (instantiated_claims.hpp).
+/// Returns true if the obligation is a claim that another script decides: it reads states or variables
+/// (showing_scripts), or it sets constants (instantiated_claims.hpp).
 [[nodiscard]] bool is_in_other_script(const Project& project, const csp_emit::Obligation& obligation);
 
 /// Returns the scripts for the claims that read states or variables. They are made on the first call.

@@ -19,7 +19,7 @@ void instantiate_claims(Project& project, ir::Carriers carriers);
 
 /// The project in which the claim is decided: that of its constants, or the project itself.
 [[nodiscard]] Project& project_of(Project& project, const claims::CheckedClaim& claim);
-/// True if another project decides the claim.
+/// Returns true if another project decides the claim.
 [[nodiscard]] bool has_own_project(const Project& project, const claims::CheckedClaim& claim);
 
 /// The reason why a run or code of the project does not show whether the claim holds: the claim sets constants to other

@@ -41,14 +41,15 @@ void add_swarm(Settings&);
 /// Returns the name of a core property for --assertion: "P::S: deadlock-free".
 [[nodiscard]] std::string core_name(const csp_emit::Obligation&);
 
-/// True if the settings select the claim of the model with this name. If they select nothing, all claims are selected.
+/// Returns true if the settings select the claim of the model with this name. If they select nothing, all claims are
+/// selected.
 [[nodiscard]] bool is_selected(const ClaimSettings&, const std::string& claim);
 
-/// True if the core properties of a part are checked. They are checked if the user requests them, or if assertions are
-/// checked and the model has none. They are not checked if an earlier part has the same components.
+/// Returns true if the core properties of a part are checked. They are checked if the user requests them, or if
+/// assertions are checked and the model has none. They are not checked if an earlier part has the same components.
 [[nodiscard]] bool core_wanted(const Part&, const Settings&);
 
-/// True if claims are decided in this semantics.
+/// Returns true if claims are decided in this semantics.
 [[nodiscard]] bool includes_time(Times, csp_emit::Time);
 
 /// Returns the timed or untimed semantics as a type-checked script. Diagnostics are added to the project's diagnostics.
@@ -80,7 +81,7 @@ void add_swarm(Settings&);
 /// it has patrol.scenario". Returns "" if there are none.
 [[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
 
-/// True if there are no errors and, if warnings are denied, no warnings.
+/// Returns true if there are no errors and, if warnings are denied, no warnings.
 [[nodiscard]] bool is_acceptable(const Project&, const LoadSettings&);
 
 }  // namespace robochart::driver

@@ -22,7 +22,7 @@ struct ClaimSelection {
 [[nodiscard]] ClaimSelection select_claims(const std::vector<std::string>& words,
                                            const std::vector<std::string>& names);
 
-/// True if the word is a number or a range of numbers.
+/// Returns true if the word is a number or a range of numbers.
 [[nodiscard]] bool selects_by_number(std::string_view word);
 
 /// Explains why a word selects no claim: "the model has 3 assertions", "s.csp has no assertion of this name; did you

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] virtual std::function<void(const refine::Progress&)> progress(const std::string& /*subject*/) {
         return {};
     }
-    /// True if an interrupted search can continue from stored states, so that a claim needs only one turn.
+    /// Returns true if an interrupted search can continue from stored states, so that a claim needs only one turn.
     [[nodiscard]] virtual bool continues_searches() const { return false; }
     /// Returns the strategy for searches in files or by several programs; null for searches in memory. All calls return
     /// the same object.

@@ -10,7 +10,7 @@ namespace robochart::ir {
 /// does not read `result`. Otherwise null. If E has a value, it is the only value that satisfies the postcondition.
 [[nodiscard]] ExprPtr result_expression(const Function&);
 
-/// Whether the conditions of the function call it again, also through other functions.
+/// Returns whether the conditions of the function call it again, also through other functions.
 [[nodiscard]] bool is_recursive(const System&, const Function&);
 
 }  // namespace robochart::ir

@@ -74,7 +74,7 @@ enum class TypeKind {
     unit
 };
 
-/// True for sets, and for relations and functions, which are sets of pairs.
+/// Returns true for sets, and for relations and functions, which are sets of pairs.
 [[nodiscard]] constexpr bool is_set_like(TypeKind kind) {
     return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
 }

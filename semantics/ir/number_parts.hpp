@@ -21,10 +21,10 @@ struct NumberPart {
 /// The result is empty for all other types.
 [[nodiscard]] std::vector<NumberPart> number_parts(const System& system, TypeId type);
 
-/// True for sequences of nat, int or real.
+/// Returns true for sequences of nat, int or real.
 [[nodiscard]] bool is_number_sequence(const System& system, TypeId type);
 
-/// True if a value of the type, or a part of it, is a number or has no finite set of values.
+/// Returns true if a value of the type, or a part of it, is a number or has no finite set of values.
 [[nodiscard]] bool has_numbers(const System& system, TypeId type);
 
 }  // namespace robochart::ir

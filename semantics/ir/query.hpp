@@ -28,7 +28,7 @@ namespace robochart::ir {
 /// `C::op_ref`). The name for the length of the cycles of a RoboSim component is `cycle_<package>_<path>_<component>`.
 [[nodiscard]] std::string constant_name(const std::string& package, const std::string& path,
                                         const std::string& constant);
-/// True if a name made by constant_name denotes the length of a cycle.
+/// Returns true if a name made by constant_name denotes the length of a cycle.
 [[nodiscard]] bool is_cycle_name(const std::string&);
 
 /// The source of the value of a machine's constant when the machine runs as `part` of a controller (the name of its
@@ -56,8 +56,8 @@ struct SharedConstant {
     const Machine* operation = nullptr;
     std::string constant;
     std::vector<ConstantSource> sources;  ///< at least two sources
-    /// True if all sources are one constant of one machine that runs several times. They have one value unless an
-    /// option or assertion sets one of them. If the result is false, lowering rejects the model.
+    /// Returns true if all sources are one constant of one machine that runs several times. They have one value unless
+    /// an option or assertion sets one of them. If the result is false, lowering rejects the model.
     [[nodiscard]] bool is_one_constant() const;
     [[nodiscard]] std::string source_names() const;
 };
@@ -76,22 +76,23 @@ struct NamedConstant {
     bool has_value = false;  ///< the model gives a value
 };
 [[nodiscard]] std::vector<NamedConstant> named_constants(const System&);
-/// True if a user may write `name` for the element with this path. `name` must be the path or the end of the path after
-/// a `::`.
+/// Returns true if a user may write `name` for the element with this path. `name` must be the path or the end of the
+/// path after a `::`.
 [[nodiscard]] bool is_named_by(const std::string& path, const std::string& name);
 
 /// Returns the components of RoboSim, including inner ones: first machines, then controllers, then modules.
 [[nodiscard]] std::vector<ComponentRef> robosim_components(const System&);
-/// True if the component is written in RoboSim.
+/// Returns true if the component is written in RoboSim.
 [[nodiscard]] bool is_robosim(const System&, const ComponentRef&);
 /// RoboSim: returns the input event whose register the machine's variable represents, or null for other variables.
 [[nodiscard]] const Input* event_register(const Machine&, VariableId);
-/// True if the statement itself, without the statements inside it, reads or writes a register or ends the cycle.
+/// Returns true if the statement itself, without the statements inside it, reads or writes a register or ends the
+/// cycle.
 [[nodiscard]] bool touches_registers(const Machine&, const Stmt&);
 /// Removes the components and simulations of RoboSim and the claims about them. Those of RoboChart keep their indices.
 void remove_robosim(System&);
 
-/// True if the block replaces carriers, constants and functions of the scripts: `csp Instantiations`.
+/// Returns true if the block replaces carriers, constants and functions of the scripts: `csp Instantiations`.
 [[nodiscard]] bool is_instantiations(const CspBlock&);
 
 }  // namespace robochart::ir

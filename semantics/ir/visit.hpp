@@ -37,14 +37,14 @@ void visit_expressions(const System&, const RootVisitor&);
 /// Visits the expression and all its operands.
 void visit_operands(const Expr&, const std::function<void(const Expr&)>&);
 
-/// True for since and sinceEntry.
+/// Returns true for since and sinceEntry.
 [[nodiscard]] bool is_clock(ExprKind);
-/// True if the expression or one of its operands is a clock.
+/// Returns true if the expression or one of its operands is a clock.
 [[nodiscard]] bool mentions_clock(const Expr&);
-/// True for an expression that is a clock: since, sinceEntry or a cast of one.
+/// Returns true for an expression that is a clock: since, sinceEntry or a cast of one.
 [[nodiscard]] bool reads_clock(const Expr&);
 [[nodiscard]] bool is_comparison(ExprKind);
-/// True for not, and, or, implies and iff.
+/// Returns true for not, and, or, implies and iff.
 [[nodiscard]] bool is_connective(ExprKind);
 /// Returns the clock that since or sinceEntry reads, or an invalid id for other expressions.
 [[nodiscard]] ClockId clock_of(const Machine&, const Expr&);
