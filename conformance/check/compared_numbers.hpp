@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the two sides of a comparison of the model as the code on the robot computes them, for reports.
+// For reports: computes both sides of a comparison of the model in the same way as the code on the robot.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,8 @@ struct ComparedNumbers {
                                                               const ir::ModelComparison& comparison,
                                                               const NumberSpace& space, const TriedValue& value);
 
-/// An operand of the comparison that reads no variable, computed as the code computes it. No value for other operands.
+/// Returns the value of an operand of the comparison, computed as the code computes it. Returns no value if the operand
+/// reads a variable.
 [[nodiscard]] std::optional<double> constant_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
                                                       std::int64_t scale, const ir::Expr& operand);
 

@@ -11,10 +11,11 @@
 
 namespace robochart::conformance {
 
-/// Completes a result for all values with the outcome `conforms`. For each threshold, tries its nearest double and the
-/// doubles on both sides as the least or greatest number of a window. If a comparison has another answer in the code
-/// for the nearest double, changes the outcome to `rounds`, unless `rounding_allowed`. A difference for the other two
-/// is only reported, because all code with doubles has it.
+/// Completes a result for all values with the outcome `conforms`. For each threshold, the function tries three doubles
+/// as the least or greatest number of a window: the double nearest to the threshold, and the next doubles on both
+/// sides. Suppose that a comparison has different answers in code and model. If this happens for the nearest double,
+/// the outcome becomes `rounds`, unless `rounding_allowed` is true. If it happens for another of the three doubles, the
+/// result only reports the difference, because all code with doubles has this difference.
 void test_window_thresholds(Result& result, const ir::System& system, const ir::ValueModel& values,
                             const diagnostics::SourceManager& sources, bool rounding_allowed);
 
