@@ -20,9 +20,9 @@ namespace robochart::conformance {
 /// does not contain the component.
 [[nodiscard]] cspm::ExprPtr component_process(const cspm::Script&, const ir::ComponentRef&);
 
-/// Completes the interface of the code with the data of the model: sets the component prefix, sets the carriers of
-/// registers and outputs according to the model's types, and blocks the external writes of variables that the model
-/// never reads (docs/conformance.md, "Variables written from outside").
+/// Completes the interface of the code with the data of the model. Sets the component prefix, and sets the carriers of
+/// registers and outputs according to the model's types. Blocks the external writes of variables that the model never
+/// reads (docs/conformance.md, "Variables written from outside").
 void complete_interface(Interface&, const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
                         const csp_emit::Provenance&);
 

@@ -98,8 +98,9 @@ public:
     [[nodiscard]] std::int64_t replacement_index(const LoggedValue&, std::uint64_t salt) const;
 
 private:
-    /// Represents the answers of all comparisons of a number with constants: the number of ordered constants that are
-    /// less than the number, and the index of the constant that equals the number (-1: no constant).
+    /// Represents the answers of all comparisons of a number with constants. The first member is how many ordered
+    /// constants are less than the number. The second member is the index of the constant that equals the number (-1:
+    /// no constant).
     using Answers = std::pair<std::size_t, std::ptrdiff_t>;
     [[nodiscard]] Answers answers_for(ir::TypeKind, double) const;
     /// Returns the index of the value in the carrier. Numbers outside their carriers are replaced.

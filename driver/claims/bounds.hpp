@@ -26,7 +26,7 @@ public:
     BoundWatch(const Project& project, const csp_emit::Emission& emission, const ir::Instantiation& instantiation);
 
     [[nodiscard]] cspm::CallObserver observer();
-    /// The bounds observed so far, once for each function and place.
+    /// Returns the bounds observed so far, once for each function and place.
     [[nodiscard]] const std::vector<Ground>& met_bounds() const { return met_; }
 
 private:

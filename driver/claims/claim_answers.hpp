@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completes the answers to claims of claims files: explains why a run breaks a claim, decides whether time can stop
-// while a response is pending, and decides whether the claim's events ever occur.
+// Completes the answers to claims of claims files. Explains why a run breaks a claim. Decides whether time can stop
+// while a response is pending, and whether the claim's events ever occur.
 #pragma once
 
 #include "checker/cspm/session.hpp"

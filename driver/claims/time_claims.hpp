@@ -40,7 +40,7 @@ struct ClaimContext {
     const ClaimFilter& takes;  ///< the claims that are decided in this context
 };
 
-/// Decides the premises of claims. A premise that several claims share is decided once.
+/// Decides the premises of claims. If several claims share a premise, the premise is decided only once.
 class Premises {
 public:
     /// Decides the premise of a decided claim. If the premise does not hold, the claim becomes inconclusive and gets

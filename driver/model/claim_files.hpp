@@ -20,9 +20,9 @@ namespace robochart::driver {
 [[nodiscard]] std::vector<std::string> model_inputs(const std::vector<std::string>& inputs);
 
 /// Reads the claims files of the inputs into the project, whose model has been read. The function reads a claims file
-/// if the file is an input, if it is below an input folder, or if it is in the folder of an input file and about the
-/// model of this input file. If the settings ignore claims, the function uses only the time unit in the claims files,
-/// and does not report errors in them.
+/// if the file is an input or below an input folder. It also reads a claims file in the folder of an input file, if the
+/// claims are about the model of this input file. If the settings ignore claims, the function uses only the time unit
+/// in the claims files, and does not report errors in them.
 void read_claim_files(Project& project, const LoadSettings& settings);
 
 /// Sets the project's time unit from its claims files. If claims are ignored, this function reports errors in the

@@ -23,9 +23,9 @@ void instantiate_claims(Project& project, ir::Carriers carriers);
 /// Returns true if another project decides the claim.
 [[nodiscard]] bool has_own_project(const Project& project, const claims::CheckedClaim& claim);
 
-/// If the claim sets constants to values other than those of the project, a run or the code of the project does not
-/// show whether the claim holds. In this case, returns this reason as text. Returns "" if all values are equal.
-/// `weaker`: the values with which the run was made, such as "patience=3", unless options override them.
+/// Returns a reason if the claim sets constants to other values than the project has. In this case, a run or the code
+/// of the project does not show whether the claim holds. Returns "" if all values are equal. `weaker`: the values with
+/// which the run was made, such as "patience=3", unless options override them.
 [[nodiscard]] std::string why_other_constants(const Project& project, const claims::CheckedClaim& claim,
                                               const std::vector<std::string>& weaker = {});
 

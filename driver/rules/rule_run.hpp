@@ -56,12 +56,12 @@ public:
     void end() { end_instant(); }
 
     [[nodiscard]] bool is_broken() const { return !text_.empty(); }
-    /// Returns the first violation. The text has one line for each duty, and then a line for the event that broke the
-    /// duties.
+    /// The next three functions describe the first violation. The text has one line for each duty, and then a line for
+    /// the event that broke the duties.
     [[nodiscard]] std::uint64_t violation_line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& violation_text() const { return text_; }
     [[nodiscard]] diagnostics::Span violation_place() const { return place_; }
-    /// The rules that were not followed after a trigger, because a measure had not been read.
+    /// Returns the rules that the monitor did not follow after a trigger, because a measure had not been read.
     [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return monitor_.open_triggers(); }
     [[nodiscard]] std::int64_t elapsed_seconds() const { return monitor_.current_second(); }
 

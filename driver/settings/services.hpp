@@ -21,7 +21,7 @@ public:
     Services(const Services&) = delete;
     Services& operator=(const Services&) = delete;
 
-    /// The limits of time and memory, and the interruption of the run.
+    /// Returns the limits of time and memory, with the interruption of the run.
     [[nodiscard]] virtual diagnostics::Budget& budget() = 0;
     /// Results of earlier runs; null if they are not used.
     [[nodiscard]] virtual diagnostics::Cache* cache() { return nullptr; }

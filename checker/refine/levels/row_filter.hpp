@@ -15,9 +15,9 @@ namespace robochart::refine {
 
 class RowFilter {
 public:
-    /// Creates a filter that stores `most_bits` (1 to 32) bits of each hash. The filter stores only 24, 16 or 8 bits if
-    /// all rows would not fit into `most_bytes` otherwise, or if the expected number of rows taken for duplicates by
-    /// mistake is negligible with fewer bits. If all rows would not fit with 8 bits, the filter accepts every row.
+    /// Creates a filter that stores `most_bits` (1 to 32) bits of each hash. The filter stores only 24, 16 or 8 bits in
+    /// two cases: all rows would not fit into `most_bytes` otherwise, or the expected number of rows taken for
+    /// duplicates by mistake is still negligible. If all rows would not fit with 8 bits, the filter accepts every row.
     RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
     /// Removes all rows and prepares for this many rows, and for some more if there is memory for them.

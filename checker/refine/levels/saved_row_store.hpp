@@ -16,8 +16,8 @@ public:
     /// storage::BadFile.
     explicit SavedRowStore(KeptWhere where);
 
-    /// During a rollback, the files contain more levels than the memory. Therefore the result is the maximum of both
-    /// numbers.
+    /// Returns the number of closed levels. During a rollback, the files contain more levels than the memory, so the
+    /// result is the maximum of both numbers.
     [[nodiscard]] Level levels() const override { return std::max(rows_->levels(), kept_.files().levels()); }
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const override { return kept_.rows_before(); }
     [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }

@@ -68,7 +68,7 @@ public:
     virtual void identify_question(const std::optional<diagnostics::Digest>& /*digest*/) {}
     /// Ends the current assertion. `decided`: whether the assertion has an answer.
     virtual void end_question(bool /*decided*/) {}
-    /// Called after the last assertion, unless some assertion was omitted.
+    /// The command calls this function after the last assertion, unless it has omitted some assertion.
     virtual void all_asked() {}
     /// Returns the cache for the answers of searches by levels, or null if there is none. These answers have a separate
     /// cache, because their statistics differ from those of other searches.
