@@ -2,8 +2,9 @@
 // The library robochart::driver: loads RoboChart models, decides their claims in the CSP semantics, and explains the
 // answers with runs of the model. It is the pipeline of the command `robochart-verify check`.
 //
-// Functions return errors and warnings about a model or a setting as findings. They print nothing, never end the
-// program, and throw only std::bad_alloc. This header needs only the standard library (docs/library.md has an example).
+// The functions return errors and warnings about a model or a setting as findings. They print nothing, never end the
+// program, and throw no exception except std::bad_alloc. This header needs only the standard library. docs/library.md
+// has an example.
 #pragma once
 
 #include <cstddef>
@@ -53,7 +54,7 @@ struct LoadOptions {
     bool deny_warnings = false;                 ///< a model with warnings cannot be checked
 };
 
-/// The semantics in which claims are decided. A claim may be restricted to one of them.
+/// The semantics in which claims are decided. A claim may be restricted to one semantics.
 enum class Semantics { both, untimed, timed };
 
 /// The limits of one check. A claim that a limit leaves undecided is inconclusive.
@@ -68,11 +69,11 @@ struct Limits {
 /// Selects the claims to decide, and sets the limits.
 struct CheckOptions {
     Semantics semantics = Semantics::both;
-    /// Also decides the core properties of every component, such as freedom from deadlock. They are always decided if
-    /// the model makes no claims.
+    /// Also decides the core properties of every component, such as freedom from deadlock. If the model makes no
+    /// claims, the core properties are always decided.
     bool core_properties = false;
     Limits limits;
-    std::function<bool()> interrupted;  ///< polled by the checking thread; true ends the check. May be empty
+    std::function<bool()> interrupted;  ///< polled by the checking thread; the result true ends the check. May be empty
 };
 
 /// The answer to a claim.
@@ -122,7 +123,7 @@ struct Run {
     std::string end;                        ///< one sentence about the violation at the end
 };
 
-/// A fact on which a verdict depends besides the model, for example a bound of the finite instantiation.
+/// A fact on which a verdict depends in addition to the model, for example a bound of the finite instantiation.
 struct Ground {
     std::string text;
     std::optional<Place> place;
@@ -159,8 +160,8 @@ struct CheckResult {
     std::vector<Finding> findings;  ///< findings about the check itself, for example about unknown claims
     std::string limit;              ///< why the check ended early; "" if it did not
 
-    /// True if at least one claim holds or has a value, all other claims hold, have a value or have no check in this
-    /// semantics, and no finding is an error. Informative answers are ignored.
+    /// Returns true if three conditions hold. At least one claim holds or has a value. Every other claim holds, has a
+    /// value or has no check in this semantics. No finding is an error. Informative answers are ignored.
     [[nodiscard]] bool all_hold() const;
 };
 
@@ -172,7 +173,7 @@ struct Claim {
 
 struct LoadResult;
 
-/// A loaded model. Moving is cheap. One object must not be used by several threads at the same time.
+/// A loaded model. Moving a Model is cheap. Several threads must not use one object at the same time.
 class Model {
 public:
     Model(Model&&) noexcept;
@@ -201,10 +202,10 @@ struct LoadResult {
     std::string text;               ///< the findings as readable text, with excerpts of the files; "" if there are none
 };
 
-/// Loads files or folders in the same way as the command. With a model, it also loads the files in the model's folder
-/// that the model needs. Files that do not belong together are checked as separate models.
+/// Loads files or folders in the same way as the command. If a file is a model, also loads the files in the same folder
+/// that this model needs. Files that do not belong together are checked as separate models.
 [[nodiscard]] LoadResult load_files(const std::vector<std::string>& paths, const LoadOptions& = {});
-/// Loads a model from the given texts. The only files that it reads are SLEEC rules that a claim names.
+/// Loads a model from the given texts. Reads no files except the files of SLEEC rules that a claim names.
 [[nodiscard]] LoadResult load_texts(const std::vector<Text>& texts, const LoadOptions& = {});
 
 /// Returns "holds", "fails", "inconclusive", "no check", "error", "not checked" or "value".

@@ -14,17 +14,19 @@ enum class Equivalence {
     /// Strong bisimilarity: preserves all models.
     strong,
     /// Branching bisimilarity that respects divergence (van Glabbeek, Luttik, Trcka 2009). It is finer than FDR's
-    /// dbisim and wbisim. A tau of an operand resolves no operator of CSP, so this equivalence is a congruence. The
-    /// congruence includes prioritise: a state without an inert tau offers all events of the states that lead to it by
-    /// inert taus, and a state on a tau cycle keeps a tau. The equivalence preserves T, F and FD.
+    /// dbisim and wbisim. A tau of an operand resolves no operator of CSP, so this equivalence is a congruence. It is
+    /// also a congruence for prioritise, for two reasons. First, a state without an inert tau offers all events of the
+    /// states that lead to it by inert taus. Second, a state on a tau cycle still has a tau in the quotient. The
+    /// equivalence preserves T, F and FD.
     branching_with_divergence,
 };
 
-/// The smallest graph that is equivalent to another graph, and the mapping between the states of both.
+/// The smallest graph that is equivalent to another graph (the original graph), and the mapping between the states of
+/// the two graphs.
 struct Quotient {
     Graph graph;                             ///< numbered in breadth-first order; edges sorted, without duplicates
     std::vector<StateIndex> representative;  ///< by state: the first original state that it represents
-    std::vector<StateIndex> state_of;        ///< by original state; no_state if it is not reachable
+    std::vector<StateIndex> state_of;        ///< by original state; no_state if the state is not reachable
 };
 
 /// Returns the quotient of the graph by the equivalence. Polls the budget.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes numbers as bytes for messages between programs, with seven bits in each byte, the lowest first.
+// Encodes numbers as bytes for messages between programs. Each byte contains seven bits of the number, and the first
+// byte contains the lowest bits (LEB128).
 #pragma once
 
 #include <cstdint>
@@ -35,7 +36,7 @@ public:
     std::uint32_t read_below(std::uint64_t end);
     /// Reads any number of 32 bits.
     std::uint32_t read_word() { return read_below(std::uint64_t{1} << 32U); }
-    /// Reads the number of the items that follow; each of them has at least one byte.
+    /// Reads the number of the items that follow. Each item must have at least one byte.
     std::size_t read_count();
     void expect_end() const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vector that grows in chunks. Its elements never move, and it never needs twice its memory to grow.
+// A vector that grows in chunks. Its elements never move. So growing never needs memory for an old and a new copy at
+// the same time.
 #pragma once
 
 #include <cassert>

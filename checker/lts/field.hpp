@@ -8,8 +8,8 @@
 
 namespace robochart::lts {
 
-/// The position of a value in a packed state. The value is inside one word. It starts at bit `shift` and has the width
-/// of `mask`.
+/// The position of a value in a packed state. The value occupies a part of one word: it starts at bit `shift` and has
+/// the width of `mask`.
 struct Field {
     std::uint32_t word, shift, mask;
     [[nodiscard]] std::uint32_t get(std::span<const std::uint32_t> state) const {

@@ -53,8 +53,8 @@ struct Exploration {
     StateStore states;  ///< the packed state for every index
 };
 
-/// Explores the system breadth first from the initial state. Before each state is expanded, calls `on_state` with the
-/// number of states found so far. `on_state` may throw to stop the exploration.
+/// Explores the system breadth first from the initial state. Before the function expands a state, it calls `on_state`
+/// with the number of states found so far. `on_state` may throw an exception to stop the exploration.
 [[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& on_state);
 
 /// Returns true if the state has a transition with tau, so that it is not stable.
@@ -80,9 +80,9 @@ private:
 
 /// Writes the graph in the Aldebaran format that CADP and mCRL2 read. Tau is written "tau", and termination "tick".
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
-/// Writes CSPM definitions of `name` and of one process for each state, called `name` followed by the number of the
-/// state. The process is equal to the graph in T, F and FD. The channels must already be declared. A state with several
-/// taus and another event gets an additional tau before them.
+/// Writes CSPM definitions of the process `name` and of one process for each state. The process of a state is called
+/// `name` followed by the number of the state. The process `name` is equal to the graph in T, F and FD. The channels
+/// must already be declared. If a state has several taus and another event, an additional tau precedes these taus.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
 /// Writes the graph in the format of Graphviz.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);

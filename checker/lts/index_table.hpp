@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hash table that finds the numbers of objects which are stored elsewhere. It uses open addressing over buckets. Each
-// bucket is one cache line with twelve numbers and, for each number, eight bits of its hash. A look-up usually reads
-// one line, and the objects whose eight bits match.
+// bucket is one cache line. It contains twelve numbers and, for each number, eight bits of the object's hash. A look-up
+// usually reads one cache line, and then the objects with the same eight bits.
 #pragma once
 
 #include <array>
@@ -48,8 +48,8 @@ public:
 
     IndexTable() { reset(1); }
 
-    /// Returns the slot of the number for which `same` is true. If there is none, returns a free slot, whose bucket is
-    /// null if the table is full.
+    /// Returns the slot of the number for which `same` is true. If there is no such number, returns a free slot. The
+    /// bucket of this slot is null if the table is full.
     template <class Same>
     [[nodiscard]] Slot find(std::uint64_t hash, const Same& same) const {
         Slot slot;
@@ -92,8 +92,9 @@ public:
         return false;
     }
 
-    /// Thread-safe: returns the slot of the number for which `same` is true. If there is none, calls `own` and stores
-    /// its number. Writes before `own` returned are visible to threads that find the number.
+    /// Thread-safe. Returns the slot of the number for which `same` is true. If there is no such number, calls `own`
+    /// and stores the number that `own` returns. A thread that finds this number also sees all writes that were made
+    /// before `own` returned.
     template <class Same, class Own>
     [[nodiscard]] Slot find_or_add(std::uint64_t hash, const Same& same, const Own& own) const {
         Slot slot;
@@ -123,7 +124,7 @@ public:
     /// Prefetches the cache line that a look-up reads first.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&buckets()[home_of(hash)]); }
 
-    /// Returns the maximal number of entries. Look-ups become slow beyond it.
+    /// Returns the maximal number of entries. With more entries, look-ups would become slow.
     [[nodiscard]] std::uint64_t capacity() const { return std::uint64_t{bucket_count_} * bucket_size * 4 / 5; }
     /// Removes all entries and allocates space for at least this many numbers.
     void reset_for_capacity(std::uint64_t numbers);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores the current sink of a system that passes on the successors of another system.
+// A system that passes on the successors of another system stores its current sink with this class.
 #pragma once
 
 #include <cassert>

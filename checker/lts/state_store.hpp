@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of visited states. It stores exact packed states of one width, in the order of insertion, in chunks that
-// never move. A table of hash bits finds states; every hit compares the whole state.
+// The set of visited states. It stores exact packed states of one width in the order of insertion. The chunks of memory
+// that contain them never move. A table of hash bits finds states, and a look-up always compares the whole state.
 #pragma once
 
 #include <algorithm>

@@ -23,9 +23,9 @@ struct GraphView {
 using OnComponent = std::function<void(std::span<const StateIndex> members, bool cyclic)>;
 
 /// Reports the components that are reachable from the roots. A component is reported after all components to which its
-/// edges lead. The order depends only on the roots and edges. Takes linear time, without recursion. Calls `successors`
-/// once for each vertex. Uses Tarjan's algorithm (Depth-first search and linear graph algorithms, 1972). Stores eight
-/// bytes for each vertex, and the targets of vertices on the path.
+/// edges lead. The order depends only on the roots and edges. The function uses Tarjan's algorithm (Depth-first search
+/// and linear graph algorithms, 1972). It takes linear time, without recursion, and calls `successors` once for each
+/// vertex. It stores eight bytes for each vertex, and the targets of the vertices on the current path.
 void strong_components(const GraphView& graph, std::span<const StateIndex> roots, const OnComponent& report);
 
 }  // namespace robochart::lts

@@ -11,7 +11,7 @@
 namespace robochart::lts {
 
 /// Its states are states of the original system. A transition leads to the representative of its original target. The
-/// event of a transition is the one that the source state performs, not an image of it.
+/// event of a transition is the event that the source state performs, and not an image of this event.
 class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
 public:
     /// `symmetry`: a symmetry of the system, or of the system that it reduces.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetries of a system are permutations of equal parts of its states that map transitions to transitions
-// (docs/search.md, "Symmetry"). This file finds the representative of a state under them. Sources: Gibson-Robinson and
-// Lowe, "Symmetry reduction in CSP model checking", STTT 2019; Clarke, Enders, Filkorn and Jha, "Exploiting symmetry in
-// temporal logic model checking", FMSD 1996.
+// A symmetry of a system permutes equal parts of the system's states and maps transitions to transitions
+// (docs/search.md, "Symmetry"). This file finds the representative of a state under the symmetries of a system.
+// Sources: Gibson-Robinson and Lowe, "Symmetry reduction in CSP model checking", STTT 2019; Clarke, Enders, Filkorn and
+// Jha, "Exploiting symmetry in temporal logic model checking", FMSD 1996.
 #pragma once
 
 #include <map>
@@ -18,8 +18,8 @@ namespace robochart::lts {
 /// A permutation of events. It lists the pairs (event, image) in which both differ, ascending.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// One value of a replica inside a state, with its mapping to numbers that mean the same in all replicas. Two replicas
-/// are in the same state if all these numbers are equal.
+/// The place of one value of a replica inside a state, and a mapping from this value to a common number. Equal common
+/// numbers mean the same in all replicas. So two replicas are in the same state if all their common numbers are equal.
 struct ReplicaPart {
     Field field;
     std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< value to common number
@@ -28,7 +28,7 @@ struct ReplicaPart {
 
 /// One of several equal parts of a system's states.
 struct Replica {
-    std::vector<ReplicaPart> parts;  ///< the parts correspond to those of the first replica, in this order
+    std::vector<ReplicaPart> parts;  ///< part i corresponds to part i of the first replica
     EventPermutation exchange;       ///< how the exchange of the first replica and this one permutes events
 };
 

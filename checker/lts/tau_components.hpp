@@ -15,8 +15,8 @@ struct TauComponents {
 
 [[nodiscard]] TauComponents tau_components(const Graph& graph);
 [[nodiscard]] TauComponents every_state_alone(const Graph& graph);
-/// Returns a graph with one state for each component, and a tau loop if the component is cyclic. Each state has the
-/// number of its component. So the initial state is component[0], which may differ from 0.
+/// Returns a graph with one state for each component, and a tau loop if the component is cyclic. The state for a
+/// component has the number of the component. So the initial state is component[0], and this number may differ from 0.
 [[nodiscard]] Graph contract_components(const Graph& graph, const TauComponents& components);
 
 }  // namespace robochart::lts

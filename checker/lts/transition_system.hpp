@@ -31,7 +31,8 @@ public:
 class FinerSystem;
 class ReducedSystem;
 
-/// The steps that a reduced system may follow without storing the states in between (docs/search.md, "Confluent taus").
+/// The steps that a reduced system may follow without storing the intermediate states (docs/search.md, "Confluent
+/// taus").
 enum class Followed {
     taus,   ///< follow taus; the reduced system answers every question about the process
     steps,  ///< follow any event; the reduced system answers only whether the process can deadlock
@@ -46,8 +47,8 @@ public:
     virtual void initial(std::span<Word> state) = 0;
     virtual void successors(StateView state, SuccessorSink& sink) = 0;
     /// Returns another instance of the same system for use in another thread. Both instances represent a state by the
-    /// same words. Returns null if this is not possible. Several threads may call this function at the same time;
-    /// meanwhile no other function may be called.
+    /// same words. Returns null if this is not possible. Several threads may call this function at the same time. No
+    /// other function may be called at the same time.
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> clone_for_thread() const { return nullptr; }
     /// If the state is an external choice, returns its operands as states, at least two. The choice has the transitions
     /// that the rules of [] give it (checker/process/firing_rules.cpp, fire_external_choice). Returns an empty list for
@@ -58,8 +59,9 @@ public:
     /// Sets the budget that the system polls during long work. The budget must outlive that work. To stop the polling,
     /// pass `diagnostics::unlimited`.
     virtual void set_budget(diagnostics::Pollable& /*budget*/) {}
-    /// Returns the same process in a slower, independent semantics, which shares only the definitions with this system.
-    /// The results of a search are replayed in it before they are reported. Returns null if there is no such semantics.
+    /// Returns the same process in a slower, independent semantics. It shares only the definitions with this system.
+    /// The results of a search are replayed in this semantics before they are reported. Returns null if there is no
+    /// such semantics.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
     /// Returns the same process with fewer states, or null if no reduction is known. If only taus are followed, the
@@ -69,10 +71,11 @@ public:
     [[nodiscard]] virtual std::unique_ptr<ReducedSystem> make_reduced_system(Followed /*followed*/,
                                                                              diagnostics::Pollable& /*budget*/) const;
     /// Returns true if the rules of the process show that it has no cycle of taus (docs/search.md, "Static proofs"). If
-    /// the result is false, it may have one or none. Polls the budget.
+    /// the result is false, the process may still have no cycle of taus. Polls the budget.
     [[nodiscard]] virtual bool excludes_tau_cycles(diagnostics::Pollable& /*budget*/) const { return false; }
     /// Returns true if the rules of the process show that no state has a tau, two transitions with the same event, or
-    /// tick together with another event. If the result is false, such states may exist or not. Polls the budget.
+    /// tick together with another event. If the result is false, the process may still have no such state. Polls the
+    /// budget.
     [[nodiscard]] virtual bool excludes_choices(diagnostics::Pollable& /*budget*/) const { return false; }
     /// Returns a system with the same states and a part of the transitions, which includes all transitions on cycles of
     /// taus. Returns null if the rules exclude no tau. Polls the budget.
@@ -80,9 +83,9 @@ public:
         return nullptr;
     }
     /// Returns the same process as it was before its parts were minimised. Returns null if that process is not known or
-    /// too large. The result is strongly bisimilar to this system and is used to display runs: its transitions have the
-    /// exact names of hidden events, whereas a state of a minimised part has the names of one of the states that it
-    /// represents. Polls the budget.
+    /// too large. The result is strongly bisimilar to this system. It is used to display runs, because its transitions
+    /// have the exact names of hidden events. In contrast, a state of a minimised part has the names of only one of the
+    /// states that it represents. Polls the budget.
     [[nodiscard]] virtual std::unique_ptr<FinerSystem> make_finer_system(diagnostics::Pollable& /*budget*/) const;
     /// Returns sets of equal parts of the states that can be exchanged. Each exchange is an automorphism of the system
     /// (docs/search.md, "Symmetry"). The result is empty if no exchanges are known. Polls the budget.
@@ -98,8 +101,8 @@ private:
     std::shared_ptr<TransitionSystem> reference_;
 };
 
-/// A reduced system. A state that is reached by a sequence of followed steps may represent the states before it. All
-/// states are states of the original system.
+/// A reduced system. If a sequence of followed steps leads to a state, the state may represent the states before it in
+/// the sequence. All states are states of the original system.
 class ReducedSystem : public TransitionSystem {
 public:
     [[nodiscard]] virtual Followed followed() const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the two sides of a comparison of the model as the code on the robot computes them, for reports.
+// For reports: computes both sides of a comparison of the model in the same way as the code on the robot.
 #pragma once
 
 #include <cstdint>

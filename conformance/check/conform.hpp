@@ -49,8 +49,8 @@ struct ForAllValues {
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,
                              diagnostics::Diagnostics&);
-/// Checks one component when no other component of the model is checked, so that the timed semantics need not be
-/// shared.
+/// Generates, compiles, explores and checks one component, if no other component of the model is checked. In this case,
+/// the timed semantics need not be shared.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                              const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

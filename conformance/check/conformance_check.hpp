@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? Runs in the
-// results are divided into control cycles.
+// Implements the two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? The results
+// contain runs that are divided into control cycles.
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"
@@ -22,13 +22,13 @@ namespace robochart::conformance {
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
-/// True if there are so many valuations of the inputs that reading on demand is faster than trying all of them.
+/// Returns true if the inputs have so many valuations that reading on demand is faster than trying all valuations.
 [[nodiscard]] bool many_valuations(const Interface&);
 
 /// Completes a result with a run of NF_c(M) which shows that M cannot be run in cycles. `model` is the graph of M.
 void report_not_schedulable(Result&, const refine::Counterexample& found, ModelGraph& model, const Alphabet&,
                             std::uint32_t cycle_length, const refine::Limits&);
-/// Describes the violation of a further property, with a run of NF_c(M) whose last event marks the violation.
+/// Describes the violation of an additional property. The last event of the given run of NF_c(M) marks the violation.
 [[nodiscard]] Aside found_aside(const diagnostics::Rule&, std::string reason, const refine::Counterexample& found,
                                 const Alphabet&, std::uint32_t cycle_length);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides claims about control cycles (docs/claims.md, "Claims about one cycle"), for the model run in cycles, NF_c(M),
-// and for the code, L(G). A monitor for the claim follows all runs of both. A claim about cycles is a safety property:
-// if it fails, a finite run shows this. So a breadth-first search of the product with the monitor decides the claim.
+// and for the code, L(G). A monitor for the claim follows all runs of NF_c(M) and of L(G). A claim about cycles is a
+// safety property: if the claim fails, a finite run shows the failure. So a breadth-first search of the product with
+// the monitor decides the claim.
 #pragma once
 
 #include <map>
@@ -33,7 +34,8 @@ struct ClaimedModel {
     const csp_emit::Provenance& provenance;
 };
 
-/// True if a condition of the claim reads values of events. Such a claim is decided for the values of the carriers.
+/// Returns true if a condition of the claim reads values of events. Such a claim is decided for the values of the
+/// carriers.
 [[nodiscard]] bool reads_values(const claims::CheckedClaim& claim);
 
 /// Decides the claims for the model in cycles and for the code. An inconclusive answer contains the reason.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the event API of generated code with its cycle. Both change the same state, and dispatching an event must
-// have the effect of a cycle with this event (docs/conformance.md, "One event at a time").
+// Compares the event API of generated code with the cycle API. Both APIs change the same state. Dispatching an event
+// must have the effect of a cycle with this event (docs/conformance.md, "One event at a time").
 #pragma once
 
 #include "conformance/check/result.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out how many names of each represented type a component needs, so that a check with these names decides for all
-// values (docs/conformance.md, "Few values for all"). The answer depends on the model alone, not on its code.
+// Computes how many names of each represented type are necessary, so that a check with these names is valid for all
+// values (docs/conformance.md, "Few values for all"). The number depends only on the model and not on the code.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,9 @@ struct EnoughNames {
     std::string reason;                ///< why `names` has no value
 };
 
-/// Finds the least number of names, at least `least_names`, that satisfies one of two conditions: NF_c(M) does not
-/// choose between values, or there are more names than names that are live after any trace. If a limit is reached or
-/// the evaluation fails, the result contains the reason.
+/// Finds a sufficient number of names. If NF_c(M) does not choose between values, this number is `least_names`.
+/// Otherwise it is the least number that is greater than the number of live names after any trace. If a limit is
+/// reached or the evaluation fails, the result contains the reason.
 [[nodiscard]] EnoughNames enough_names(const RenamedSystem&, const ir::ComponentRef&, const cpp_emit::Component&,
                                        const Options&, diagnostics::SourceManager&);
 

@@ -17,7 +17,8 @@ struct CheckedCode {
     const Alphabet& alphabet;
 };
 
-/// Explores the code and stores its text in the requested format in `result`. If this is impossible, stores the reason.
+/// Explores the code and stores L(G) in the requested format in `result`. If the export is impossible, stores the
+/// reason instead.
 void export_code(Result& result, const CheckedCode&, const Options&);
 
 }  // namespace robochart::conformance

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows the code event by event in NF_c(M), which is determinised on the fly. Random walks and the search over
-// partial readings use this.
+// Follows the code event by event in NF_c(M), and determinises NF_c(M) on the fly. Random walks and the search over
+// partial readings use this class.
 #pragma once
 
 #include <functional>
@@ -39,13 +39,13 @@ public:
     /// NF_c(M) must allow the event, and must not require other events. Then the function advances `node` and returns
     /// no value.
     [[nodiscard]] std::optional<Mismatch> follow_event(Node& node, process::Event event, bool read);
-    /// Follows the end of a cycle, after its writes. If `cut` is true, the code made more outputs than the log can
-    /// contain, and the missing outputs are not checked.
+    /// Follows the end of a cycle, after the writes of the cycle. If `cut` is true, the code made more outputs than the
+    /// log can contain. The missing outputs are then not checked.
     [[nodiscard]] std::optional<Mismatch> finish_cycle(Node& node, rc_result outcome, bool cut);
     /// Returns whether the code has terminated in the cycle that was finished last.
     [[nodiscard]] bool has_terminated() const { return over_; }
-    /// With Frame::unread: returns a register whose reading affects the model in this node, or no value if there is
-    /// none.
+    /// With Frame::unread: returns a register whose reading affects the model in this node, or no value if there is no
+    /// such register.
     [[nodiscard]] std::optional<std::uint32_t> asked_register(Node node);
     /// Sets a function that returns true for states of the model whose steps are unknown. If the model may be in such a
     /// state, the result is a mismatch with the outcome `inconclusive`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes what the model M does in a run of NF_c(M), with the names and places of the model. Used for models that
-// cannot be run in cycles, and for models from which generated code differs.
+// Describes what the model M does in a run of NF_c(M), with the names and places of the model. The check uses these
+// descriptions if a model cannot be run in cycles, or if generated code differs from its model.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ struct ModelWords {
     const diagnostics::SourceManager& sources;
 };
 
-/// Returns the limits of one explanation, a fraction of those of a search: few states, and at most 10 s.
+/// Returns the limits of the search for one explanation. They are lower than the limits of a check: few states, and at
+/// most 10 s.
 [[nodiscard]] refine::Limits limits_of_explanation(refine::Limits limits);
 
 /// Searches the normal form with this frame for a run of NF_c(M). Returns no value if the search takes too long, or if
@@ -35,18 +36,18 @@ struct ModelWords {
                                                               const refine::Counterexample& found,
                                                               const Alphabet& alphabet, const refine::Limits& limits);
 
-/// Returns the behaviour of M in a run of NF_c(M) with this frame. The behaviour is found again in the semantics of
-/// `process`. Returns no value if the search takes too long, or if there is no such behaviour. After a run of kind
-/// `no_trace`, M continues until it needs an event of the environment, so that its offers at the end are the possible
-/// next events. Throws process::Interrupted and process::SemanticsError.
+/// Returns the behaviour of M in a run of NF_c(M) with this frame. To find this behaviour, the function repeats the run
+/// in the semantics of `process`. Returns no value if the search takes too long, or if there is no such behaviour.
+/// After a run of kind `no_trace`, M continues until it needs an event of the environment, so that its offers at the
+/// end are the possible next events. Throws process::Interrupted and process::SemanticsError.
 [[nodiscard]] std::optional<refine::Counterexample> run_of_model(cspm::Session& session, const cspm::ExprPtr& process,
                                                                  const Alphabet& alphabet, std::uint32_t cycle_length,
                                                                  const Frame& frame,
                                                                  const refine::Counterexample& found,
                                                                  const refine::Limits& limits);
 
-/// Describes the run of M with the names and places of the model. `kind` is the kind of the timed claim that the run
-/// would refute.
+/// Describes the run of M with the names and places of the model. `kind` is the kind of timed claim that the run would
+/// refute.
 [[nodiscard]] runs::Run interpret_run(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
                                       const ModelWords& words);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses numbers to run code over the types of deployment with (docs/conformance.md, "Numbers on the robot"). These
-// are random numbers, and numbers at the boundaries of the regions in which no condition changes its answer.
+// Chooses the numbers with which code is tested that uses the number types of the robot (docs/conformance.md, "Numbers
+// on the robot"). A region is a set of numbers for which each condition has the same answer. The chosen numbers are
+// random numbers, and numbers at the boundaries of regions.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ namespace robochart::conformance {
 /// A number of the code, and the number of the model that it represents.
 struct TriedNumber {
     std::int64_t bits = 0;              ///< bits of the code's number: a double, or a 64-bit integer
-    std::optional<std::int64_t> units;  ///< the model's number, if it is a decimal; otherwise equal to the code's
+    std::optional<std::int64_t> units;  ///< the model's number if it is a decimal; no value: equal to the code's
 };
 /// One number for each part of a value, or for each item of a sequence.
 using TriedValue = std::vector<TriedNumber>;
@@ -48,10 +49,10 @@ struct NumberSpace {
 [[nodiscard]] int sign_of(const NumberSpace& space, const ir::Cut& cut, const TriedValue& value);
 /// Returns the double nearest to a decimal literal.
 [[nodiscard]] double nearest_double(const std::string& decimal);
-/// Converts a number of the model to the code's number. A real, in units, becomes the nearest double; a whole number is
-/// not changed.
+/// Converts a number of the model to the number of the code. A real (in units) becomes the nearest double. A whole
+/// number does not change.
 [[nodiscard]] TriedNumber nearest_number(const NumberSpace& space, const ir::NumberPart& part, std::int64_t number);
-/// Converts each part of a value like nearest_number; reals are in units.
+/// Converts each part of a value as nearest_number does. Reals are in units.
 [[nodiscard]] TriedValue nearest_value(const NumberSpace& space, const std::vector<std::int64_t>& numbers);
 /// Returns the model's value as text, such as "(0.1, 0.30000000000000004)" or "<30 times 0.1, 0.2>".
 [[nodiscard]] std::string value_text(const NumberSpace& space, const TriedValue& value);

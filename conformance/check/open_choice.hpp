@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines whether the model chooses which of several values it outputs. In that case, a few values do not represent
-// all values (docs/conformance.md, "Few values for all").
+// Determines whether the model can choose between several values for an output. In that case, two names may not
+// represent all values (docs/conformance.md, "Few values for all").
 #pragma once
 
 #include <optional>

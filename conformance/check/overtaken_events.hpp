@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds events of outer transitions that come second if other events are raised in the same cycle (docs/conformance.md,
-// "Events that come second").
+// Finds events that trigger transitions of outer states and come second if other events are raised in the same cycle
+// (docs/conformance.md, "Events that come second").
 #pragma once
 
 #include <vector>

@@ -13,12 +13,12 @@
 
 namespace robochart::conformance {
 
-/// Returns `differs` or `not_schedulable` with a minimised witness, otherwise `inconclusive` with the coverage. The
-/// limit of time is `walks.seconds`, not `limits.deadline`. A walk ends if a value of the model leaves its carrier.
+/// Returns `differs` or `not_schedulable` with a minimised witness, or `inconclusive` with the coverage of the walks.
+/// The time limit is `walks.seconds`, not `limits.deadline`. A walk ends if a value of the model leaves its carrier.
 [[nodiscard]] Result run_random_walks(lts::TransitionSystem& model, const Alphabet&, const rc_interface& code,
                                       std::uint32_t cycle_length, const refine::Limits&, const WalkOptions&);
 
-/// Runs code and model with these readings of the registers, which are given cycle by cycle. Returns the first
+/// Runs code and model with these readings of the registers, one list of readings for each cycle. Returns the first
 /// difference with a minimised witness, or no value if there is none. Throws process::Interrupted.
 [[nodiscard]] std::optional<Result> difference_on(ModelGraph&, const Alphabet&, const rc_interface& code,
                                                   std::uint32_t cycle_length, const refine::Limits&,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks conformance of code with many inputs. The search tries all readings of a register only where the code reads
-// this register. The model follows with runs that are possible for all contents of the other registers
+// Checks the conformance of code with many inputs. The search tries all readings of a register only where the code
+// reads this register. It follows the model along runs that are possible for all contents of the other registers
 // (docs/conformance.md, "Reading on demand").
 #pragma once
 

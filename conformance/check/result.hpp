@@ -46,19 +46,19 @@ struct Explanation {
     std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty if unknown
     std::string remedy;                       ///< a change that would make the model schedulable; "" if unknown
     /// The run of the model that shows the problem. For `differs`, the run that follows the code up to the difference.
-    /// No value if it was not found in time.
+    /// There is no value if the run was not found in time.
     std::optional<runs::Run> run;
 };
 
-/// A property of the model that is checked in addition to conformance: whether it holds and, if it fails, a shortest
-/// run that shows the violation.
+/// The answer to a property of the model that is checked in addition to conformance. If the property fails, the answer
+/// contains a shortest run that shows the violation.
 struct Aside {
     bool holds = true;
     std::string reason;  ///< why the property fails
     std::vector<Cycle> cycles;
     const diagnostics::Rule* rule = nullptr;
-    /// The trace of NF_c(M) up to the violation (as in Result::model_run), and the model's run with this trace. No
-    /// value if the run was not found in time.
+    /// The trace of NF_c(M) up to the violation (as in Result::model_run), and the model's run with this trace. There
+    /// is no value if the run was not found in time.
     std::optional<refine::Counterexample> model_run;
     std::optional<runs::Run> run;
 };
@@ -135,8 +135,8 @@ struct CycleAnswer {
     std::string reason;                       ///< how the claim is violated, or why it is not decided
     std::vector<Cycle> cycles;                ///< a shortest run that violates the claim
 };
-/// Both answers to a claim. The answer for the code is the verdict. If the claim holds for the code, the answer for the
-/// model only tells whether every conforming controller satisfies the claim.
+/// Both answers to a claim about cycles. The answer for the code is the verdict. If the claim holds for the code, the
+/// answer for the model says whether every conforming controller satisfies the claim.
 struct CycleAnswers {
     std::string claim;  ///< name of the claim
     std::string wording;
@@ -155,27 +155,29 @@ struct Result {
     std::string expected;       ///< events that the model allows at the difference
     Explanation explanation;    ///< for differs, not_schedulable
     /// The evidence for the explanation: the run of NF_c(M) that shows the problem, or the common trace of NF_c(M) and
-    /// the code up to the difference (kind `no_trace`). With this evidence, the model's own run is found again.
+    /// the code up to the difference (kind `no_trace`). The explanation uses this evidence to find the run of the model
+    /// again.
     std::optional<refine::Counterexample> model_run;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
     std::uint64_t code_cycles = 0;      ///< number of executed (state, input valuation) pairs
     std::uint64_t model_states = 0;     ///< states of M visited under the simulation assumptions
     refine::Statistics product;         ///< statistics of the refinement check
     refine::Statistics schedulability;  ///< statistics of the check of NF_c(M) alone
-    /// Whether no cycle makes an output twice. If so, the strict relation, which forbids this, holds too. No value if
-    /// this was not decided.
+    /// Whether no cycle makes an output twice. In this case, the strict relation holds too, because it only adds this
+    /// requirement. There is no value if the question was not decided.
     std::optional<Aside> register_cycles;
-    /// Whether no deadline passes while the model waits for an input that does not arrive. No value if this was not
-    /// decided.
+    /// Whether no deadline passes while the model waits for an input that does not arrive. There is no value if the
+    /// question was not decided.
     std::optional<Aside> deadlines;
     std::vector<FewValues> represented;  ///< types of which only some values are explored
-    /// The data of the component, if the result is valid for all values of ideal numbers; otherwise empty. The classes
-    /// of values are those of the model's conditions.
+    /// The data of the component, if the result is valid for all ideal numbers. Otherwise the list is empty. The
+    /// conditions of the model define the classes of values.
     std::vector<ir::ReplacedData> all_values;
     bool lists_of_any_length = false;  ///< the explored lists represent lists of any length
     /// The test with numbers of the robot, if the code conforms and the result is valid for all values.
     std::optional<RobotNumbers> robot;
-    /// Why a check for all values did not decide; "" if it decided or was not made.
+    /// Why the check for all values did not decide. The text is empty if the check decided, or if there was no such
+    /// check.
     std::string not_for_all;
     std::vector<MissedEvent> missed;        ///< if it conforms: events missed in some state of the code
     std::vector<OvertakenEvent> overtaken;  ///< if it conforms: events that come second in some state of the code

@@ -24,8 +24,8 @@ struct ExploredValuesOfCode {
     const diagnostics::SourceManager& sources;
 };
 
-/// Completes a result for all values with the outcome `conforms`. Adds the test. Changes the outcome to `rounds` if the
-/// code behaves differently from the model and Options::rounding_allowed is false.
+/// Tests the code, and adds the test to a result for all values with the outcome `conforms`. If the code behaves
+/// differently from the model and Options::rounding_allowed is false, changes the outcome to `rounds`.
 void test_on_robot(Result& result, const ExploredValuesOfCode& explored, bool rounding_allowed,
                    diagnostics::Pollable& budget);
 

@@ -21,15 +21,16 @@ namespace robochart::conformance {
 [[nodiscard]] const diagnostics::Rule& rule_of(const refine::Counterexample&, ModelGraph& graph, const Alphabet&,
                                                std::uint32_t cycle_length, const refine::Limits&);
 
-/// Converts a sequence of events of NF_c(M), or of code and NF_c(M), to a run. Only the run's trace is used.
+/// Converts a sequence of events of NF_c(M), or of code and NF_c(M), to a run. Callers may use only the trace of this
+/// run.
 [[nodiscard]] refine::Counterexample trace_as_run(const std::vector<process::Event>& trace);
 /// Sets the rule and the run of a result that was found event by event (follower.hpp). The rule is null for code that
 /// differs. `trace` is the common trace of code and NF_c(M).
 void set_model_run(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
 
-/// Completes the explanations of a result that differs or is not schedulable, and of its further properties. To do
-/// this, it finds their runs again in the semantics of M. If that takes too long, only the rule or the cycles are
-/// reported.
+/// Completes the explanation of a result that differs or is not schedulable, and the explanations of its additional
+/// properties. To do this, the function finds the runs again in the semantics of M. If the search for a run takes too
+/// long, the explanation contains only the rule or the cycles.
 void explain_result(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&,
                     const Options&);
 

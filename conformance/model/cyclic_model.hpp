@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads a component whose behaviour in control cycles can be queried without generated code. It consists of the
-// script's process, the alphabet, and a transition system: NF_c(M) or, in RoboSim, S(M) (docs/conformance.md).
+// Loads a component, so that its behaviour in control cycles can be queried without generated code. The result consists
+// of the process in the script, the alphabet, and a transition system: NF_c(M) or, in RoboSim, S(M)
+// (docs/conformance.md).
 #pragma once
 
 #include <memory>
@@ -19,8 +20,9 @@ namespace robochart::conformance {
 class CyclicModel {
 public:
     /// Returns null if the component has no timed semantics or no cyclic form; the diagnostics or `error` contain the
-    /// reason. Throws process::Interrupted at a limit, and cspm::EvaluationError if the script cannot be evaluated. An
-    /// event that `order` drops is treated as not raised. In RoboSim, the cycle length replaces `cycleDef`.
+    /// reason. Throws process::Interrupted at a limit, and cspm::EvaluationError if the script cannot be evaluated. If
+    /// `order` drops an event, the model treats this event as not raised. In RoboSim, the cycle length replaces
+    /// `cycleDef`.
     [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
                                                            const ir::ComponentRef&, std::uint32_t cycle_length,
                                                            const refine::Limits&, diagnostics::SourceManager&,
@@ -29,8 +31,8 @@ public:
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
-    /// Returns the interface in the same order, with the names of the model and of generated code. They differ from the
-    /// script's names if elements were renamed (csp_emit/passes/safe_names.hpp).
+    /// Returns the interface in the same order, with the names of the model and of generated code. If elements were
+    /// renamed (csp_emit/passes/safe_names.hpp), these names differ from the names in the script.
     [[nodiscard]] const Interface& outside_interface() const { return outside_; }
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }

@@ -9,7 +9,7 @@
 
 namespace robochart::conformance {
 
-/// How a component uses numbers of a kind, ordered by increasing dependence.
+/// How a component uses numbers of a kind. The values are ordered by increasing dependence on the numbers.
 enum class NumberUse {
     passed_on,  ///< it stores them, sends them and passes them to operations ("data independent": Lazić 1999; Roscoe
                 ///< UCS 17.2)
@@ -30,7 +30,8 @@ struct DataIndependence {
     [[nodiscard]] NumberUse use_of(ir::TypeKind) const;
     /// Returns whether the component only passes on numbers of this kind.
     [[nodiscard]] bool is_independent(ir::TypeKind kind) const { return use_of(kind) == NumberUse::passed_on; }
-    /// Returns whether the component passes on values of a type with parts as a whole. False for other types.
+    /// Returns whether the component only passes on values of a composite type as a whole. Returns false for other
+    /// types.
     [[nodiscard]] bool is_independent(const ir::System&, ir::TypeId) const;
 };
 
@@ -44,7 +45,8 @@ struct ConstantComparison {
 /// Returns the expression as such a comparison, or no value if it is another expression.
 [[nodiscard]] std::optional<ConstantComparison> constant_comparison(const ir::System&, const ir::Expr&);
 
-/// A number that a sum adds or subtracts: a variable or a field of a variable holds it, or it is a literal or constant.
+/// A number that a sum adds or subtracts. It is the value of a variable or of a field of a variable, or it is a literal
+/// or constant.
 struct Summand {
     const ir::Expr* expr = nullptr;
     bool held = false;
@@ -56,14 +58,14 @@ struct SumComparison {
     ir::ExprKind relation = ir::ExprKind::equal;
     std::vector<Summand> left, right;
 };
-/// Reads the expression as such a comparison; no value if it is another expression, or a ConstantComparison. Naturals
-/// are not subtracted, because the result may not be a natural.
+/// Returns the expression as such a comparison. Returns no value if it is another expression, or a ConstantComparison.
+/// A comparison that subtracts naturals is not such a comparison, because the result may not be a natural.
 [[nodiscard]] std::optional<SumComparison> sum_comparison(const ir::System&, const ir::Expr&);
 
 /// Analyses these machines and operations together.
 [[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&);
 
-/// Returns whether the two types are the same. Declared types are compared by name, other types by structure.
+/// Returns whether the two types are the same. Declared types are compared by name, and other types by structure.
 [[nodiscard]] bool same_type(const ir::System&, ir::TypeId, ir::TypeId);
 
 }  // namespace robochart::conformance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes values in logs (docs/traces.md). The notation is that of the CSP alphabet, with decimal numbers, the
-// names of literals and no blanks. The reader distinguishes values inside and outside the finite instantiation.
+// Reads and writes values in logs (docs/traces.md). The notation is the notation of the CSP alphabet, but with decimal
+// numbers, with the names of literals and without blanks. The reader distinguishes values inside and outside the finite
+// instantiation.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,9 @@ struct LoggedValue {
     std::optional<std::int64_t> number;  ///< as in the carrier; for a value with parts, its index in the carrier; no
                                          ///< value if the value is outside
     std::string text;                    ///< for a value outside the carrier: the text for reports
-    /// For a value outside the carrier: true if the component only passes on such numbers or compares them with
-    /// constants, and the carrier has numbers for which these comparisons have the same answers.
+    /// For a value outside the carrier: true if the value can be replaced by a value of the carrier. This is so if the
+    /// component only passes on such numbers, or if it only compares them with constants, and the carrier contains
+    /// numbers for which these comparisons have the same answers.
     bool replaceable = false;
     LoggedPart whole;
 };
@@ -45,7 +47,7 @@ struct ValueFault {
     std::size_t length = 0;
 };
 
-/// When a logged number is taken as a number of the carrier.
+/// States when a logged number counts as a number of the carrier.
 enum class NumberReading {
     exact,    ///< if it is equal; for numbers that the component compares with constants
     rounded,  ///< if the difference is a rounding error of double, or the logged number is the nearest float
@@ -88,16 +90,17 @@ public:
 
     /// Reads a value. Throws ValueFault.
     [[nodiscard]] LoggedValue read_value(std::string_view text) const;
-    /// Returns the index of the carrier's value that represents a value outside the carrier. Numbers outside their
-    /// carriers are replaced by numbers of their kind, which `salt` selects. If the component only passes the numbers
-    /// on, any number may be selected; otherwise only numbers for which the comparisons with constants give the same
-    /// answers. Equal numbers get equal replacements. The component's own literals are not used as replacements if
-    /// there are other numbers.
+    /// Returns the index of the value in the carrier that represents a value outside the carrier. Each number outside
+    /// its carrier is replaced by a number of the same kind. `salt` selects the replacement. If the component only
+    /// passes on the numbers, any number of the carrier may be a replacement. Otherwise, a replacement must have the
+    /// same answers in all comparisons with constants. Equal numbers get equal replacements. A literal of the component
+    /// is a replacement only if there is no other number.
     [[nodiscard]] std::int64_t replacement_index(const LoggedValue&, std::uint64_t salt) const;
 
 private:
-    /// The answers of all comparisons of a number with constants: how many ordered constants are less than the number,
-    /// and which constant equals it (-1: none).
+    /// Represents the answers of all comparisons of a number with constants. The first member is how many ordered
+    /// constants are less than the number. The second member is the index of the constant that equals the number (-1:
+    /// no constant).
     using Answers = std::pair<std::size_t, std::ptrdiff_t>;
     [[nodiscard]] Answers answers_for(ir::TypeKind, double) const;
     /// Returns the index of the value in the carrier. Numbers outside their carriers are replaced.
@@ -116,7 +119,7 @@ private:
     NumberReading reading_;
     bool composed_;
     std::map<ir::Value, std::int64_t> places_;  ///< for values with parts
-    /// The possible replacements by kind and answers of the comparisons. They are computed when they are needed.
+    /// The possible replacements, by kind and by the answers of the comparisons. They are computed on demand.
     mutable std::map<std::pair<ir::TypeKind, Answers>, std::vector<std::int64_t>> candidates_;
 };
 

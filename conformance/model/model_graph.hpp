@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers the states of the model M and stores their successors. NF_c(M) visits each state of M with many register
-// contents. It also needs to know which registers a state can still read before time passes.
+// Numbers the states of the model M and stores their successors, because NF_c(M) visits each state of M with many
+// register contents. The graph also computes which registers a state can still read before time passes.
 #pragma once
 
 #include <cstdint>
@@ -33,10 +33,11 @@ public:
     [[nodiscard]] ModelState initial() const { return initial_; }
     [[nodiscard]] const std::vector<ModelEdge>& edges(ModelState);
     /// Returns, for each register, whether its event can happen from this state before the next tock, in any run. The
-    /// simulation assumptions are ignored, so true may be wrong, but false is always right.
+    /// function ignores the simulation assumptions. So the answer `true` may be wrong, but the answer `false` is always
+    /// right.
     [[nodiscard]] const std::vector<bool>& heard_inputs(ModelState);
-    /// Returns whether the model can reach, without the passing of time, a state in which time can pass or the model
-    /// can terminate. The sequence of events may contain any inputs.
+    /// Returns whether the model can reach a state in which time can pass or the model can terminate, before time
+    /// passes. The sequence of events to this state may contain any inputs.
     [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
     /// Returns the state as M packs it. The result is valid until another state is added.

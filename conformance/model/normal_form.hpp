@@ -26,8 +26,8 @@ struct NormalFormScript {
 [[nodiscard]] NormalFormScript normal_form(const cspm::Script& script, const cspm::ExprPtr& model, const Alphabet&,
                                            std::uint32_t cycle_length, Reading);
 
-/// Returns the declaration of a channel by its qualified name, which is searched in modules and timed sections; null if
-/// there is none.
+/// Returns the declaration of the channel with this qualified name. Searches modules and timed sections. Returns null
+/// if there is no such channel.
 [[nodiscard]] cspm::DeclPtr find_channel(const cspm::Script& script, const std::string& qualified);
 
 }  // namespace robochart::conformance

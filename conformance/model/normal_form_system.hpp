@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements NF_c(M) as a transition system: the model in parallel with the three simulation assumptions
-// (docs/conformance.md). normal_form.hpp writes the same process in CSPM; tests/conformance shows that the two are
-// equivalent.
+// (docs/conformance.md). normal_form.hpp writes the same process in CSPM. Tests in tests/conformance check that both
+// processes are equivalent.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class AfterTermination {
 /// How often an output may be made in one cycle (docs/conformance.md, A2).
 enum class Outputs {
     sequence,  ///< any number, in the order in which M makes them
-    once,      ///< each at most once: a second time is the event `model.repeats`, after which nothing follows
+    once,      ///< each at most once: a repeated output is the event `model.repeats`, after which nothing follows
 };
 
 /// What happens if M waits for an input that was not read, and the deadline of this input has expired, so that time
@@ -34,15 +34,15 @@ enum class Deadlines {
     idle,  ///< tock forever, so that a missed deadline is not a deadlock
 };
 
-/// A variant of NF_c(M). The first value of each member is the definition; the others are used to find reasons why M
-/// cannot be run in cycles.
+/// A variant of NF_c(M). With the first value of each member, it is NF_c(M) as defined. The other values are used to
+/// find out why M cannot be run in cycles.
 struct Frame {
     AfterTermination after = AfterTermination::stop;
     Outputs outputs = Outputs::sequence;
     Deadlines deadlines = Deadlines::stop;
     bool writes_hidden = false;  ///< hides the writes, so that an endless sequence of outputs is a divergence
-    /// If true, a register may also be unread, which is the event `unread`. If the behaviour depends on the reading of
-    /// such a register, the event `asks` is possible, and all other events are meaningless.
+    /// If true, a register may also stay unread: the event `unread` represents this. If the behaviour then depends on
+    /// the reading of this register, the event `asks` is possible, and all other events are meaningless.
     bool unread = false;
 };
 

@@ -19,8 +19,8 @@ namespace robochart::conformance {
 [[nodiscard]] std::vector<std::string> elements_of_state(const std::string& description, const csp_emit::Provenance&,
                                                          const diagnostics::SourceManager&);
 
-/// Returns an event of NF_c(M) with the place of its element: "MoveForward() (swarm_taxis.rct:24)". Without a place,
-/// the result is "MoveForward()".
+/// Returns an event of NF_c(M) with the place of its element: "MoveForward() (swarm_taxis.rct:24)". If the element has
+/// no place, the result is "MoveForward()".
 [[nodiscard]] std::string describe_with_place(process::Event, const Alphabet&, const csp_emit::Provenance&,
                                               const diagnostics::SourceManager&);
 

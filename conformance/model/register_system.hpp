@@ -3,12 +3,12 @@
 // "RoboSim").
 //
 // The component M of docs/robosim.md already runs in cycles, so there is no normal form. This system
-//   * hides endexec and terminate, which a module does not have, and gives τ and ✓ priority over tock again,
+//   * hides endexec and terminate, as a module does, and gives τ and ✓ priority over tock again,
 //   * reads the registers in the order of the interface ("One order of reading"),
-//   * maps `registerRead.i_e.false.v` to absent for any v, so that the value of an empty register is M's choice,
-//   * maps absent to the last value of a variable, which M reads again,
-//   * accepts a write before it reports it, as a controller does with the writes of its machines, so that the choice
-//     between two outputs is M's and not that of the environment.
+//   * maps `registerRead.i_e.false.v` to absent for every v, so that M chooses the value of an empty register,
+//   * maps absent to the last value of a variable, because M then reads this value again,
+//   * accepts a write before it reports the write, so that M, and not the environment, makes the choice between two
+//     outputs. A controller treats the writes of its machines in the same way.
 #pragma once
 
 #include "conformance/code/interface.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives the model the names of its script. If a name has another meaning in CSPM, a number is appended to it, and model
-// and code are compared under the new name (csp_emit/passes/safe_names.hpp).
+// Renames the elements of a model to their names in its script. If a name has another meaning in CSPM, the new name is
+// the old name with an appended number. Model and code are compared under the new name
+// (csp_emit/passes/safe_names.hpp).
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"
@@ -10,8 +11,9 @@
 
 namespace robochart::conformance {
 
-/// The renamed system, which all components of a model share. It has no CSP blocks and no properties, because these
-/// belong to assertions. A block that replaces the instantiation would give the model other values than the code.
+/// The renamed system, which all components of a model share. The renamed system has no CSP blocks and no properties,
+/// because both belong to assertions. If a block replaced the instantiation, the model would have other values than the
+/// code.
 struct RenamedSystem {
     ir::System system;
     ir::Instantiation instantiation;

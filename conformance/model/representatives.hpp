@@ -36,12 +36,12 @@ struct Representatives {
 /// The least number of names of a represented type.
 inline constexpr std::size_t least_names = 2;
 
-/// Chooses representatives for a component whose inputs or outputs have more values than can be explored. For each data
-/// independent type, the representatives are the values of constants, the initial values, and `names` further values.
-/// The first two names differ from the other values and from each other in every part. The parts of one value also
-/// differ from each other if the carriers allow it, so that lost or exchanged parts are detected. If a type has too few
-/// values for the names, it is not represented. Carriers of lists with bounds contain all lists of the represented
-/// values up to these bounds.
+/// Chooses representatives for a component whose inputs or outputs have more values than can be explored. For each
+/// data-independent type, the representatives are the values of constants, the initial values, and `names` further
+/// values (the names). The first two names differ from the other values and from each other in every part. If the
+/// carriers allow it, the parts of one value also differ from each other. So the check detects lost or exchanged parts.
+/// If a type has too few values for the names, all values of the type are explored. If a type of lists has a bound, its
+/// carrier contains all lists of the representatives up to this bound.
 [[nodiscard]] Representatives choose_representatives(const ir::System&, const ir::Instantiation&,
                                                      const cpp_emit::Component&, std::size_t names = least_names,
                                                      const ListBounds& bounds = {});

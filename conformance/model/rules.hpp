@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declares rules about errors in a log that are detected before the log is compared with the model (docs/traces.md).
-// Also declares the rules about models that cannot be run in control cycles, or only by some robots
-// (docs/conformance.md, "Why a model is not schedulable").
+// Declares two groups of rules. The first group is about errors in a log that are detected before the log is compared
+// with the model (docs/traces.md). The second group is about models that cannot be run in control cycles, or that only
+// some robots can run in control cycles (docs/conformance.md, "Why a model is not schedulable").
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -17,7 +17,7 @@
 
 namespace robochart::conformance {
 
-/// A state of M in a cycle. `held` is the number of a set of readings: those that M may still receive.
+/// A state of M in a cycle. `held` is the number of the set of readings that M may still receive.
 struct HeldState {
     ModelState model = 0;
     std::uint32_t held = 0;
@@ -40,12 +40,12 @@ public:
     [[nodiscard]] Set start();
     /// Returns the set of states after the code has read a register that is present.
     [[nodiscard]] Set with(Set states, std::uint32_t input, std::uint32_t reading);
-    /// Returns the set of states after M has made this output. Returns no value if M cannot make the output when the
+    /// Returns the set of states after M has made this output. Returns no value if M cannot make the output while all
     /// registers that the code has not read are empty.
     [[nodiscard]] std::optional<Set> after(Set states, process::Event write);
     /// Follows the end of the code's cycle. Adds completions that together cover all readings of the unread registers.
-    /// Returns false if NF_c(M) cannot end its cycle in this way; `refused` then contains the readings for which it
-    /// cannot, with all other registers empty.
+    /// Returns false if NF_c(M) cannot end its cycle for some of these readings. `refused` then contains these
+    /// readings; all other registers are empty.
     [[nodiscard]] bool finish(Set states, const std::vector<bool>& unread, rc_result outcome,
                               std::vector<Completion>& completions, Completion& refused);
 
@@ -75,8 +75,8 @@ private:
     /// Returns whether M cannot do anything in this state before time passes.
     [[nodiscard]] bool stable(const HeldState&);
     [[nodiscard]] bool lets_time_pass(ModelState);
-    /// Returns a register that M waits for in a stable state and that the code has not read, or no value if there is
-    /// none.
+    /// Returns a register that the code has not read and for whose input M waits in a stable state. Returns no value if
+    /// there is no such register.
     [[nodiscard]] std::optional<std::uint32_t> awaits(ModelState, const std::vector<bool>& unread);
     [[nodiscard]] std::optional<Set> after_time(const States& stable);
     [[nodiscard]] States settled_between_tocks(States);

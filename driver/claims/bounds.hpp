@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the bounds of the finite instantiation that runs reach. At such a bound, a value is clipped or chosen, or it
-// does not belong to its type.
+// Finds the bounds of the finite instantiation that runs reach. At such a bound, a value is clipped, a value is chosen,
+// or a value does not belong to its type.
 #pragma once
 
 #include <map>
@@ -26,7 +26,7 @@ public:
     BoundWatch(const Project& project, const csp_emit::Emission& emission, const ir::Instantiation& instantiation);
 
     [[nodiscard]] cspm::CallObserver observer();
-    /// The bounds observed so far, once for each function and place.
+    /// Returns the bounds observed so far, once for each function and place.
     [[nodiscard]] const std::vector<Ground>& met_bounds() const { return met_; }
 
 private:
@@ -42,8 +42,8 @@ private:
 };
 
 /// Finds the bounds that runs of a claim's processes reach. The search for an answer explores each component of a
-/// composition with all its inputs, so it also observes bounds that no run of the whole process reaches. Therefore,
-/// this class explores the states of the whole process again, up to a limit.
+/// composition with all inputs of the component. So the search also observes bounds that no run of the whole process
+/// reaches. Therefore, this class explores the states of the whole process again, up to a limit.
 class ReachedBounds {
 public:
     /// All arguments must outlive the object.
@@ -54,11 +54,11 @@ public:
     /// Returns the basis of one claim. `met` contains the bounds that the searches for this claim and other claims
     /// observed.
     [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
-    /// Returns entries for conditions of the claim's machines if some of their outcomes may not occur with the values
-    /// of the carriers. A carrier contains a value beyond each literal with which a value is compared, but not beyond
-    /// other values. For example, with carriers 0..2 the condition x > y /\ y > z /\ z > 0 is never true. Conditions on
-    /// values that are computed or converted from inputs may also have further outcomes
-    /// (semantics/data/derived_values.hpp). The same is true of times that are inputs: with x in 0..2, a wait for x is
+    /// Returns an entry for a condition of the claim's machines if the condition may have outcomes that do not occur
+    /// with the values of the carriers. A carrier contains a value beyond each literal with which a value is compared,
+    /// but no value beyond other values. For example, with carriers 0..2, the condition x > y /\ y > z /\ z > 0 is
+    /// never true. A condition may also have other outcomes if it reads values that are computed or converted from
+    /// inputs (semantics/data/derived_values.hpp). Similarly, times may be inputs: with x in 0..2, a wait for x is
     /// always short. The result is empty if the user chose the carriers (--range).
     [[nodiscard]] Basis comparisons_in(const csp_emit::Obligation& claim);
     /// Returns the basis for one process.

@@ -11,7 +11,7 @@
 
 namespace robochart::driver {
 
-/// A claim that certificates are written for.
+/// A claim for which certificates are written.
 struct CertifiedClaim {
     std::string number;  ///< the number of the claim, which the names of folders contain
     std::string title;
@@ -19,17 +19,17 @@ struct CertifiedClaim {
     std::vector<const cspm::Decl*> assertions;  ///< all of them hold, and together they are the claim
 };
 
-/// Writes a certificate for each assertion of a claim that holds, to the folder that the settings name. If one of them
-/// has no certificate, none is written. The program robochart-certify then checks them, if it is in the folder of this
-/// program or in PATH.
+/// Writes a certificate for each assertion of a claim that holds, to the folder that the settings name. If one
+/// assertion has no certificate, no certificate is written. If the program robochart-certify is in the folder of this
+/// program or in PATH, the function then runs it to check the certificates.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
-/// Returns an error message if the folder contains files, "" if it is empty or does not exist. This prevents
-/// certificates of earlier runs from being taken for certificates of this run.
+/// Returns an error message if the folder contains files. Returns "" if the folder is empty or does not exist. This
+/// check prevents certificates of earlier runs from being taken for certificates of this run.
 [[nodiscard]] std::string why_not_empty(const std::string& folder);
 
-/// Returns one line about the certificates. It contains "certified" and the level only if robochart-certify has
-/// accepted all of them.
+/// Returns one line about the certificates. The line contains "certified" and the level only if robochart-certify has
+/// accepted all certificates.
 [[nodiscard]] std::string certificate_text(const CertificateReport&);
 
 }  // namespace robochart::driver

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completes the answers to claims of claims files. It explains why a run breaks a claim. It also decides whether time
-// can stop while a response is pending, and whether the claim's events ever occur.
+// Completes the answers to claims of claims files. Explains why a run breaks a claim. Decides whether time can stop
+// while a response is pending, and whether the claim's events ever occur.
 #pragma once
 
 #include "checker/cspm/session.hpp"
@@ -11,8 +11,8 @@
 
 namespace robochart::driver {
 
-/// Completes the answer to a claim of the project. `obligation` is the obligation of this claim, whose assertion has
-/// been decided in the given session.
+/// Completes the answer to a claim of the project. `obligation` is the obligation of this claim. Its assertion has been
+/// decided in the given session.
 void complete_answer(const Project& project, const runs::Context& context, const SearchContext& search,
                      const csp_emit::Obligation& obligation, std::size_t claim, AssertionReport& report);
 

@@ -19,16 +19,17 @@ struct ClassProject {
     bool small_carriers = false;     ///< the replaced data have few values in the finite instantiation
 };
 
-/// True if the settings choose carriers of numbers.
+/// Returns true if the settings choose carriers of numbers.
 [[nodiscard]] bool chooses_ranges(const Project& project);
 
-/// True if all claims are decided in the finite instantiation. This is the case if the settings ask for it or choose
-/// ranges, if a CSP block replaces the instantiation, or if the claims are those of a swarm.
+/// Returns true if all claims are decided in the finite instantiation. This is the case if the settings require the
+/// finite instantiation or choose ranges, if a CSP block replaces the instantiation, or if the claims are claims of a
+/// swarm.
 [[nodiscard]] bool keeps_carriers(const Project& project, const Settings& settings);
 
-/// Returns the project with classes of values, without the claims that observe values. `project` is null if carriers
-/// are kept, or if no data can be replaced. It is also null if some claims observe values, and the values are few or
-/// all occur in the model. All claims then share the compiled components.
+/// Returns the project with classes of values, without the claims that observe values. `project` is null if
+/// keeps_carriers() is true, or if no data can be replaced. `project` is also null if some claims observe values, and
+/// there are few values or all values occur in the model. In this case, all claims share the compiled components.
 [[nodiscard]] ClassProject class_project(const Project& project, const Settings& settings);
 
 /// The project in which computed data are free (ir::free_model), without the claims that observe values.
@@ -38,20 +39,20 @@ struct FreeProject {
     bool has_large_carriers = false;   ///< true if it replaces data with large carriers that `classes` does not replace
 };
 [[nodiscard]] FreeProject free_project(const Project& project, const Settings& settings, const ClassProject& classes);
-/// True if an answer for the free model also applies to the model, which refines the free model. This is the case if
-/// the answer states that the behaviour of the free model is within that of a specification. Answers that state that a
-/// run exists, or that steps are possible from all states, do not carry over.
+/// Returns true if an answer for the free model also applies to the model, which refines the free model. This is the
+/// case if the answer states that a specification allows all behaviour of the free model. It is not the case if the
+/// answer states that a run exists, or that steps are possible from all states.
 [[nodiscard]] bool carries_over(const csp_emit::Obligation& obligation, Answer found);
 
-/// True if some claim may observe values of events. Such claims are comparisons of components, rules, claims of claims
-/// files, and claims with CSP blocks.
+/// Returns true if some claim may observe values of events. Such claims are comparisons of components, rules, claims of
+/// claims files, and claims with CSP blocks.
 [[nodiscard]] bool has_observers(const Project& project);
-/// True if the answer with classes does not decide a claim of determinism. This is so if the claim holds and outputs
-/// are replaced by names of classes. It is also so for both answers if conditions relate variables
+/// Returns true if the answer with classes does not decide a claim of determinism. An answer `holds` does not decide
+/// the claim if names of classes replace outputs. If conditions relate variables, neither answer decides the claim
 /// (semantics/data/class_model.hpp).
 [[nodiscard]] bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation, Answer found);
-/// True if a claim of this system is decided in the finite instantiation, because it observes values or because its
-/// answer with classes may not decide it.
+/// Returns true if a claim of this system is decided in the finite instantiation, because it observes values or because
+/// its answer with classes may not decide it.
 [[nodiscard]] bool is_decided_in_carriers(const ClassProject& classes, const ir::System& system,
                                           const csp_emit::Obligation& obligation);
 

@@ -8,7 +8,8 @@
 
 namespace robochart::driver {
 
-/// Returns the component whose process the expression calls: "P::S" for `P::S::O__(..)`; "" if it calls none.
+/// Returns the component whose process the expression calls: "P::S" for `P::S::O__(..)`. Returns "" if the expression
+/// calls no process of a component.
 [[nodiscard]] std::string component_of(const cspm::Expr& expr);
 
 /// Returns the expression with the given variant of the components' processes, such as `D__`.

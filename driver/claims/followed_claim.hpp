@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors a claim in one run outside of the model: a log, or a robot of a simulation. An input occurs for the claim
-// when it is raised. Inputs of one cycle are simultaneous (docs/claims.md, "Claims about one cycle"), so they are
-// collected until the first output or time unit after them. Inputs that a declared order drops are ignored.
+// Monitors a claim in a run that is a log or the run of a robot in a simulation. For the claim, an input occurs when it
+// is raised. Inputs of one cycle are simultaneous (docs/claims.md, "Claims about one cycle"). Therefore the monitor
+// collects inputs until an output or a time unit follows. It ignores inputs that a declared order drops.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,23 @@ public:
     using Drops = std::vector<claims::CheckedOrder::Drop>;
     FollowedClaim(const claims::CheckedClaim& claim, const ir::System& system, durations::Unit unit, Drops drops = {});
 
-    /// Observes an input or an output; `values` are texts as in logs. Names that the component does not have are
-    /// ignored. `line` is the event's line in a log.
+    /// Observes an input or an output. `values` are texts as in logs. The function ignores names that the component
+    /// does not have. `line` is the event's line in a log.
     void observe(std::string_view name, bool input, const std::vector<std::string>& values, std::uint64_t line = 0);
     void tock(std::uint64_t line = 0);
     void end(std::uint64_t line = 0);
-    /// Makes the verdict unknown from now on, for this reason.
+    /// After this call, the verdict is unknown. `why` is the reason.
     void give_up(std::string why);
 
     /// Observes the last inputs, if the run ends within a cycle.
     void finish() { observe_inputs(); }
 
     [[nodiscard]] bool is_broken() const { return !reasons_.empty(); }
-    /// The line of the log at which the claim was broken, and at most three sentences that explain why.
+    /// Returns the line of the log at which the claim was broken. reasons() returns at most three sentences that
+    /// explain why.
     [[nodiscard]] std::uint64_t line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
-    /// The reason why the run does not decide the claim; "" if it does.
+    /// Returns the reason why the run does not decide the claim. Returns "" if the run decides the claim.
     [[nodiscard]] const std::string& unknown() const { return unknown_; }
     [[nodiscard]] const claims::CheckedClaim& claim() const { return *claim_; }
 
@@ -47,7 +48,7 @@ private:
         std::string text;
         std::uint64_t line = 0;
     };
-    /// Returns the event with its values; no value if a condition of the claim cannot read them.
+    /// Returns the event with its values. Returns no value if a condition of the claim cannot read these values.
     [[nodiscard]] std::optional<Named> named(std::size_t channel, const std::vector<std::string>& values,
                                              std::uint64_t line);
     void observe_inputs();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides claims of the model. If carriers limit the answer to a claim, it is also decided with free data
+// Decides claims of the model. If carriers limit the answer to a claim, the claim is also decided with free data
 // (docs/data.md, "Computed data").
 #pragma once
 
@@ -14,18 +14,18 @@
 
 namespace robochart::driver {
 
-/// Makes the project with free data when a claim first needs it.
+/// Makes the project with free data when a claim needs this project for the first time.
 class FreeData {
 public:
     /// All arguments must outlive the object. `classes` is the result for the same project.
     FreeData(const Project& project, const Settings& settings, const ClassProject& classes);
 
-    /// False if it is known that no data can be free. Does not make the project.
+    /// Returns false if it is known that no data can be free. Does not make the project.
     [[nodiscard]] bool may_exist() const { return possible_ && (!made_ || made_->project); }
-    /// Makes the project if it has not been made.
+    /// Returns the project. Makes the project if it has not been made.
     [[nodiscard]] const FreeProject& project();
-    /// True if the carriers are so large that claims are first decided with free data. Makes the project only if some
-    /// carrier is large.
+    /// Returns true if the carriers are so large that claims are first decided with free data. Makes the project only
+    /// if some carrier is large.
     [[nodiscard]] bool comes_first();
 
 private:

@@ -8,8 +8,8 @@
 
 namespace robochart::driver {
 
-/// Describes the data and the reason why they keep their carriers. The reason contains the expression as written in the
-/// model.
+/// Describes the data and the reason why these data keep their carriers. The reason contains the expression as written
+/// in the model.
 [[nodiscard]] KeptDataReport described(const diagnostics::SourceManager& sources, const ir::KeptData& data);
 
 }  // namespace robochart::driver

@@ -26,8 +26,9 @@ public:
     WatchedProcess(const Project&, const SearchContext&, const csp_emit::Emission&, const ir::Instantiation&,
                    cspm::Session&);
 
-    /// Returns the bounds that runs of the component reach. If a limit ends the exploration of its states, returns all
-    /// bounds that its parts reach, with a remark that they may be unreachable for runs.
+    /// Returns the bounds that runs of the component reach. If a limit ends the exploration of the component's states,
+    /// returns all bounds that parts of the component reach, with a remark that runs of the whole component may not
+    /// reach these bounds.
     [[nodiscard]] const Basis& reached_bounds(const std::string& component);
     [[nodiscard]] const ir::Instantiation& instantiation() const { return instantiation_; }
 
@@ -63,7 +64,7 @@ private:
 [[nodiscard]] Basis chosen_constants(const Project&, const ir::Instantiation&, const std::string& component,
                                      const probability::Row&);
 
-/// Describes the random paths; empty if all states were explored.
+/// Returns an entry that describes the random paths. Returns an empty basis if all states were explored.
 [[nodiscard]] Basis sampling_basis(const probability::Row&, std::uint64_t seed);
 
 }  // namespace robochart::driver

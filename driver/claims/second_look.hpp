@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explores the processes of a decided claim again, to find the entries of its basis that the search for a violation
-// cannot find. Processes with many states are skipped.
+// Explores the processes of a decided claim again, to find entries of the claim's basis that the search for a violation
+// cannot find. Skips processes with many states.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds conditions that read clocks. The untimed semantics assumes that the parts of conditions that read clocks are
-// true, so these conditions belong to the basis of verdicts.
+// Finds conditions that read clocks. If a part of a condition reads a clock, the untimed semantics assumes that this
+// part is true. Therefore such conditions belong to the basis of verdicts.
 #pragma once
 
 #include <map>
@@ -24,8 +24,9 @@ public:
     [[nodiscard]] bool has_guards() const { return !guards_.empty(); }
     /// Adds the conditions of the transitions in the run.
     void add_of_run(const runs::Run&, Basis&) const;
-    /// Adds the conditions for an assertion without a run. A component has more behaviours in the untimed semantics. So
-    /// if an assertion about traces holds, its basis contains only the conditions of the specification.
+    /// Adds the conditions for an assertion without a run. Because of the assumption about clocks, a component has more
+    /// behaviours in the untimed semantics. So if an assertion about traces holds, its basis contains only the
+    /// conditions of the specification.
     void add_of_assertion(const cspm::Decl&, bool holds, Basis&) const;
 
 private:

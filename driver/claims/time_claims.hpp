@@ -40,7 +40,7 @@ struct ClaimContext {
     const ClaimFilter& takes;  ///< the claims that are decided in this context
 };
 
-/// Decides the premises of claims. A premise that several claims share is decided once.
+/// Decides the premises of claims. If several claims share a premise, the premise is decided only once.
 class Premises {
 public:
     /// Decides the premise of a decided claim. If the premise does not hold, the claim becomes inconclusive and gets
@@ -67,9 +67,9 @@ public:
                ClaimFilter takes, Values values, ClaimResults& results);
 
     [[nodiscard]] const std::vector<ListedClaim>& claims() const { return claims_; }
-    /// Decides the claim within the turn. The results only contain the progress until the report is stored.
+    /// Decides the claim within the turn. Until the report is stored, the results contain only the progress.
     [[nodiscard]] AssertionReport decide(const Turn& turn, const ListedClaim& claim);
-    /// The report about the undecided claim.
+    /// Returns the report about the claim while it is undecided.
     [[nodiscard]] const AssertionReport& undecided(const ListedClaim& claim) const { return announced_[claim.number]; }
     /// Stores the report in the results. Returns true if the claim is decided.
     bool store(AssertionReport report, const ListedClaim& claim);
@@ -85,10 +85,11 @@ public:
 private:
     [[nodiscard]] bool is_in_carriers() const { return values_ == Values::of_carriers; }
     bool open_session();
-    /// If a limit has just ended a long evaluation: "; ", and its place in the model. Otherwise "".
+    /// If a limit has just ended a long evaluation, returns "; " and the place of this evaluation in the model.
+    /// Otherwise returns "".
     [[nodiscard]] std::string stopped_evaluation() const;
-    /// Decides the whole claim. Returns the assertions on which a positive answer is based; none for claims that are
-    /// decided without assertions.
+    /// Decides the whole claim. Returns the assertions on which a positive answer is based. The list is empty if the
+    /// claim is decided without assertions.
     std::vector<cspm::DeclPtr> decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,
                                             AssertionReport& one);
     /// Writes the certificates of a claim that holds; `assertions` are its assertions.

@@ -22,14 +22,14 @@ struct WaitingClaim {
 
 /// Decides all claims, in the order of their ranks. A claim without an answer after its turn gets another, longer turn,
 /// until --assertion-timeout. Searches that use files or several programs get only one turn, because they continue from
-/// their stored states. If a claim reaches the memory limit, `give_back` frees what the claims share, and the next
-/// claim is decided. Throws LimitReached with the current claim if the run is over, or if `give_back` does not free
-/// enough.
+/// their stored states. If a claim reaches the memory limit, `give_back` frees the data that the claims share, and the
+/// function decides the next claim. Throws LimitReached with the current claim if the run must end, or if `give_back`
+/// does not free enough memory.
 void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContext& search,
                      const std::function<void()>& give_back = {});
 
-/// True if the run must end, because of its time limit or an interrupt. The memory limit is not considered, because a
-/// single claim may have reached it.
+/// Returns true if the run must end, because of its time limit or an interrupt. The memory limit is not considered,
+/// because a single claim may have reached it.
 [[nodiscard]] bool run_is_over(const diagnostics::Budget&);
 
 /// Returns the reason for a claim that --assertion-timeout left undecided. It replaces the claim's own reason.

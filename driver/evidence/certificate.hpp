@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes certificates of tuning. A certificate contains constants, the search that found them, and the
-// decisions about the model with these constants. Anybody can repeat the decisions (`tune --verify-certificate`).
+// Reads and writes certificates of tuning. A certificate contains constants, the search that found these constants, and
+// the decisions about the model with these constants. Anybody can repeat the decisions (`tune --verify-certificate`).
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct DecidedItem {
     friend bool operator==(const DecidedItem&, const DecidedItem&) = default;
 };
 
-/// A claim about probabilities and the trials that it is based on. The seeds of the trials start at the scenario's
-/// `seed`.
+/// A claim about probabilities, and the trials on which its answer is based. The seeds of the trials start at the
+/// scenario's `seed`.
 struct DecidedClaim {
     std::string claim;  ///< as written
     std::string answer;
@@ -78,12 +78,12 @@ struct Certificate {
 
 /// Returns the certificate as text with a final line end, including a digest of its contents.
 [[nodiscard]] std::string certificate_text(const Certificate&);
-/// Reads a certificate strictly: all fields and no others, with the right types, and a correct digest. No value on
-/// failure; `error` contains the reason.
+/// Reads a certificate. It must have exactly the required fields, with the right types, and a correct digest. Otherwise
+/// returns no value, and `error` contains the reason.
 [[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
 
-/// Returns the differences between files, verdicts and claims, one line for each difference. The result is empty if
-/// both are equal.
+/// Returns the differences between the files, verdicts and claims of two certificates, one line for each difference.
+/// The result is empty if there is no difference.
 [[nodiscard]] std::vector<std::string> evidence_differences(const Evidence& certified, const Evidence& found);
 
 }  // namespace robochart::driver

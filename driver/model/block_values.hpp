@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds values that CSP blocks replace. If a block replaces a value, assertions use another value than the generated
-// code and its conformance check.
+// Finds values that CSP blocks replace. If a block replaces a value, assertions use the new value, but the generated
+// code and its conformance check use the old one.
 #pragma once
 
 #include <string>

@@ -14,8 +14,8 @@ namespace robochart::driver {
 /// Divides the claims and blocks of a project into those that can be decided and those that have errors or may depend
 /// on errors.
 struct BrokenClaims {
-    /// The files of one side. For a file that is on both sides, `texts` contains its text without the other side's
-    /// items, by index in Model::files.
+    /// The files of one side. If both sides contain a file, `texts` contains the text of this file without the items of
+    /// the other side, by index in Model::files.
     struct Side {
         frontend::Unit unit;
         std::map<std::size_t, std::string> texts;
@@ -25,9 +25,9 @@ struct BrokenClaims {
     bool some = false;  ///< true if some claim can still be decided
 };
 /// Returns no value if an error is not in an assertion file, or if all remaining claims could depend on a part that
-/// cannot be read. In these cases, no claim is decided.
+/// cannot be read. In both cases, no claim can be decided.
 [[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
-/// True if there are errors, and all of them are in assertion files.
+/// Returns true if there are errors, and all of them are in assertion files.
 [[nodiscard]] bool only_claims_broken(const Project&);
 
 }  // namespace robochart::driver

@@ -15,21 +15,22 @@
 
 namespace robochart::driver {
 
-/// Returns the inputs without claims files. If all inputs are claims files, returns the models in their folder, or in
-/// the folder above.
+/// Returns the inputs that are not claims files. If all inputs are claims files, returns the models in the folder of
+/// these files, or in its parent folder.
 [[nodiscard]] std::vector<std::string> model_inputs(const std::vector<std::string>& inputs);
 
-/// Reads the claims files of the inputs into the project, whose model has been read. A claims file is read if it is an
-/// input, if it is below an input folder, or if it is in the folder of an input file and about its model. If the
-/// settings ignore claims, only their time unit is used, and their errors are not reported.
+/// Reads the claims files of the inputs into the project, whose model has been read. The function reads a claims file
+/// if the file is an input or below an input folder. It also reads a claims file in the folder of an input file, if the
+/// claims are about the model of this input file. If the settings ignore claims, the function uses only the time unit
+/// in the claims files, and does not report errors in them.
 void read_claim_files(Project& project, const LoadSettings& settings);
 
-/// Sets the project's time unit from its claims files. Errors of the declarations are reported here only if claims are
-/// ignored, otherwise with the claims.
+/// Sets the project's time unit from its claims files. If claims are ignored, this function reports errors in the
+/// declarations of time units. Otherwise these errors are reported with the claims.
 void find_unit(Project& project);
 
-/// Returns the time unit that is declared in the claims files in or below the folders of these files. Errors in the
-/// declarations are reported; other errors in the files are not.
+/// Returns the time unit that is declared in the claims files in or below the folders of these files. Reports errors in
+/// these declarations, but no other errors in the files.
 [[nodiscard]] std::optional<claims::DeclaredUnit> unit_beside(const std::vector<std::string>& paths,
                                                               diagnostics::SourceManager& sources,
                                                               diagnostics::Diagnostics& diagnostics);
@@ -38,16 +39,16 @@ void find_unit(Project& project);
 /// decided with the code.
 void read_ignored_claims(Project& project, const LoadSettings& settings);
 
-/// Assigns each claims file of the whole project to the part that it is about. Reports an error for a file that may be
-/// about several parts.
+/// Assigns each claims file of the whole project to the part about which it makes claims. Reports an error if a file
+/// may be about several parts.
 void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFile>>& files,
                         const std::vector<Part>& parts);
 
 /// Returns the claims of the assertion files and of the claims files.
 [[nodiscard]] std::vector<ClaimName> all_claims_of(const Project& project);
 
-/// Resolves the claims in the project's system; values of conditions are compared with the finite instantiation.
-/// `carriers`: as in this instantiation, for claims that set constants.
+/// Resolves the claims in the project's system. Compares the values of conditions with the finite instantiation. For
+/// claims that set constants, `carriers` contains the carriers of this instantiation.
 void check_claim_files(Project& project, ir::Carriers carriers);
 /// Resolves the claims in the model alone.
 void check_claim_files(Project& project, const ir::System& system);

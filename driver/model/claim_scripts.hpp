@@ -12,20 +12,20 @@ namespace robochart::driver {
 struct Project;
 struct ShowingScript;
 
-/// Adds processes, assertions and an obligation for each claim; fills `ProjectClaims::scripted`. A claim that cannot be
-/// decided gets an obligation without assertions that contains the reason.
+/// Adds processes, assertions and an obligation for each claim, and fills `ProjectClaims::scripted`. If a claim cannot
+/// be decided, its obligation has no assertions and contains the reason.
 void add_claims(Project& project, csp_emit::Emission& emission);
 
-/// Returns the number of the claim to which an obligation of add_claims belongs; no value for other obligations. The
-/// claim is found by its name, which is unique. Obligations of swarms also have names, but add_claims is not called for
-/// projects with swarms.
+/// If add_claims has added the obligation, returns the number of the claim to which it belongs. Returns no value for
+/// other obligations. The function finds the claim by its name, because this name is unique. Obligations of swarms also
+/// have names, but add_claims is not called for projects with swarms.
 [[nodiscard]] std::optional<std::size_t> claim_of(const Project& project, const csp_emit::Obligation& obligation);
 
-/// True if the obligation is a claim that another script decides: it reads states or variables (showing_scripts), or it
-/// sets constants (instantiated_claims.hpp).
+/// Returns true if the obligation is a claim that another script decides: it reads states or variables
+/// (showing_scripts), or it sets constants (instantiated_claims.hpp).
 [[nodiscard]] bool is_in_other_script(const Project& project, const csp_emit::Obligation& obligation);
 
-/// Returns the scripts for the claims that read states or variables. They are made on the first call.
+/// Returns the scripts for the claims that read states or variables. The first call makes these scripts.
 [[nodiscard]] const std::vector<ShowingScript>& showing_scripts(Project& project);
 
 }  // namespace robochart::driver

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims that set constants: `with constant patience of Patrol set to 3 s`. Claims that set the same values share a
-// project: the same system with these values, in its own finite instantiation, as if `--const` had given them. So all
-// limits that depend on constants (carriers, clocks) fit the values.
+// Handles claims that set constants, as in `with constant patience of Patrol set to 3 s`. Claims that set the same
+// values share a project. This project contains the same system with these values, in a separate finite instantiation,
+// as if `--const` had set the values. So all limits that depend on constants (carriers, clocks) fit the values.
 #pragma once
 
 #include <string>
@@ -13,18 +13,19 @@
 
 namespace robochart::driver {
 
-/// Makes the projects of the claims that set constants, from the resolved claims. A project that cannot be made finite
-/// is reported at the claims.
+/// Makes the projects for the resolved claims that set constants. If a project cannot be made finite, reports this at
+/// the places of its claims.
 void instantiate_claims(Project& project, ir::Carriers carriers);
 
-/// The project in which the claim is decided: that of its constants, or the project itself.
+/// Returns the project in which the claim is decided: the project for the constants that the claim sets, or the given
+/// project if the claim sets no constants.
 [[nodiscard]] Project& project_of(Project& project, const claims::CheckedClaim& claim);
-/// True if another project decides the claim.
+/// Returns true if another project decides the claim.
 [[nodiscard]] bool has_own_project(const Project& project, const claims::CheckedClaim& claim);
 
-/// The reason why a run or code of the project does not show whether the claim holds: the claim sets constants to other
-/// values. "" if all values are equal. `weaker`: values for which the run was made, unless options override them:
-/// "patience=3".
+/// Returns a reason if the claim sets constants to other values than the project has. In this case, a run or the code
+/// of the project does not show whether the claim holds. Returns "" if all values are equal. `weaker`: the values with
+/// which the run was made, such as "patience=3", unless options override them.
 [[nodiscard]] std::string why_other_constants(const Project& project, const claims::CheckedClaim& claim,
                                               const std::vector<std::string>& weaker = {});
 

@@ -18,48 +18,51 @@
 
 namespace robochart::driver {
 
-/// Reads the inputs, lowers them and makes them finite, as one project. Stops after the first phase with errors.
-/// `diagnostics` contains the errors. Names in the settings that the model does not have are errors too.
+/// Reads the inputs as one project, lowers it and makes it finite. Stops after the first phase with errors.
+/// `diagnostics` contains the errors. It is also an error if the settings contain a name that the model does not have.
 [[nodiscard]] std::unique_ptr<Project> load_project(const Settings&, diagnostics::Budget&);
 
 /// Completes the settings from the swarm's file: constants, ranges, and the timed semantics if there is a grid. Errors
-/// of that file are reported when the swarm is composed. Throws UsageError if settings about a swarm are given without
-/// one, or are invalid.
+/// in the swarm's file are reported when the swarm is composed. Throws UsageError if settings about a swarm are
+/// invalid, or if they are given without a swarm.
 void add_swarm(Settings&);
 
-/// Divides the inputs into parts. Files that do not belong together are resolved and made finite separately
-/// (frontend/project/units.hpp), each part as if it were alone. If all files belong together, there is one part. A part
-/// with errors is not lowered or made finite; its diagnostics contain them. Names in the settings must exist in some
+/// Divides the inputs into parts. Each part consists of files that belong together (frontend/project/units.hpp), and is
+/// resolved and made finite as if it were alone. If all files belong together, there is one part. A part with errors is
+/// neither lowered nor made finite, and its diagnostics contain the errors. Names in the settings must exist in some
 /// part. The words of --assertion are replaced by the names of the claims that they select (claim_selection.hpp).
 [[nodiscard]] std::vector<Part> load_parts(Settings&, diagnostics::Budget&);
-/// Like load_parts, but only reads and resolves the parts, without instantiations. Errors are in the diagnostics.
+/// Reads and resolves the parts as load_parts does, but makes no instantiations. The diagnostics contain the errors.
 [[nodiscard]] std::vector<Part> read_parts(const LoadSettings&, diagnostics::Budget&);
 
-/// The project with RoboTool's carriers, which exported scripts use; null if the project already has these carriers.
+/// Returns the project with RoboTool's carriers, which exported scripts use. Returns null if the project already has
+/// these carriers.
 [[nodiscard]] std::unique_ptr<Project> with_carriers_of_robotool(const Project&);
 
 /// Returns the name of a core property for --assertion: "P::S: deadlock-free".
 [[nodiscard]] std::string core_name(const csp_emit::Obligation&);
 
-/// True if the settings select the claim of the model with this name. If they select nothing, all claims are selected.
+/// Returns true if the settings select the claim of the model with this name. If they select nothing, all claims are
+/// selected.
 [[nodiscard]] bool is_selected(const ClaimSettings&, const std::string& claim);
 
-/// True if the core properties of a part are checked. They are checked if the user requests them, or if assertions are
-/// checked and the model has none. They are not checked if an earlier part has the same components.
+/// Returns true if the core properties of a part are checked. They are checked if the user requests them, or if
+/// assertions are checked and the model has no assertions. They are not checked if an earlier part has the same
+/// components.
 [[nodiscard]] bool core_wanted(const Part&, const Settings&);
 
-/// True if claims are decided in this semantics.
+/// Returns true if claims are decided in this semantics.
 [[nodiscard]] bool includes_time(Times, csp_emit::Time);
 
 /// Returns the timed or untimed semantics as a type-checked script. Diagnostics are added to the project's diagnostics.
-/// The script is made with the settings of the first call, and stored in the project. Throws std::logic_error if the
-/// script is wrong although it contains no text of the user.
+/// The first call makes the script with its settings and stores the script in the project. Throws std::logic_error if
+/// the script is wrong although it contains no text of the user.
 [[nodiscard]] const csp_emit::Emission& emit_csp(Project&, const ClaimSettings&, const SwarmSettings&, csp_emit::Time);
 
-/// Returns the components for which C++ is generated. If the name is empty, these are the modules, or the controllers
-/// if there are no modules, or the machines if there are no controllers either. Otherwise, they are the components of
-/// any kind with this name. If `robosim` is set, RoboSim components follow, selected in the same way. The prefix
-/// `robochart:` or `robosim:` of a name selects one of the two notations.
+/// Returns the components for which C++ is generated. If the name is empty, these are the modules. Without modules,
+/// they are the controllers; without modules and controllers, the machines. If the name is not empty, they are the
+/// components of any kind with this name. If `robosim` is set, RoboSim components follow. They are selected in the same
+/// way. The prefix `robochart:` or `robosim:` of a name selects one of the two notations.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name,
                                                             bool robosim = false);
 
@@ -71,8 +74,8 @@ void add_swarm(Settings&);
 /// It contains the package if components of other packages have the same name.
 [[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
 
-/// Loads a text that is not a model: a file, or standard input if the path is "-". No value if it cannot be read;
-/// `error` contains the reason.
+/// Loads a text that is not a model: a file, or standard input if the path is "-". If the text cannot be read, returns
+/// no value, and `error` contains the reason.
 [[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
                                                               std::string& error);
 
@@ -80,7 +83,7 @@ void add_swarm(Settings&);
 /// it has patrol.scenario". Returns "" if there are none.
 [[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
 
-/// True if there are no errors and, if warnings are denied, no warnings.
+/// Returns true if there are no errors and, if warnings are denied, no warnings.
 [[nodiscard]] bool is_acceptable(const Project&, const LoadSettings&);
 
 }  // namespace robochart::driver

@@ -49,7 +49,7 @@ struct Project {
     std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts made so far (emit_csp)
 };
 
-/// A project without model, for the same texts, with another system and instantiation.
+/// Returns a project for the same texts with another system and instantiation, and without a model.
 [[nodiscard]] std::unique_ptr<Project> with_data(const Project&, ir::System, ir::Instantiation);
 
 /// A part of a run: files that belong together (pipeline.hpp, load_parts).

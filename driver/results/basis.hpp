@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The basis of a verdict lists the facts on which the verdict depends besides the model: assumptions, reached limits,
-// and situations that no run reaches. The code that decides a claim makes the list. Every format shows it with the
-// verdict, and no option hides it.
+// The basis of a verdict lists the facts on which the verdict depends in addition to the model: assumptions, reached
+// limits, and situations that no run reaches. The code that decides a claim makes this list. Every output format shows
+// the list with the verdict, and no option hides it.
 #pragma once
 
 #include <optional>
@@ -58,8 +58,8 @@ void set_place(const diagnostics::SourceManager&, diagnostics::Span, Ground&);
 /// Returns the entry as text with its place: "the bound was met (model.rct:12)".
 [[nodiscard]] std::string ground_text(const Ground&);
 
-/// Returns readable lines, with at most `most` entries of each kind. A remedy is printed once, after the entries that
-/// share it.
+/// Returns readable lines, with at most `most` entries of each kind. If several entries have the same remedy, the
+/// remedy follows these entries only once.
 [[nodiscard]] std::vector<std::string> basis_lines(const Basis&, std::size_t most);
 
 }  // namespace robochart::driver

@@ -41,13 +41,13 @@ struct CoreReport {
     std::string component;     ///< "state machine P::S"
     std::string property;      ///< "deadlock-free"
     bool information = false;  ///< informative only: neither a false nor an unknown answer is a problem
-    /// The transitions or states of the resolved model that the property is about, if it asks which of them are
-    /// exercised.
+    /// If the property asks which elements are exercised: the transitions or states of the resolved model that the
+    /// property is about.
     std::vector<std::string> elements = {};
     std::vector<std::string> unexercised = {};  ///< the elements that no run exercises
 };
 
-/// Printed with a counterexample that may not be a shortest one.
+/// A text that is printed with a counterexample if the counterexample may not be a shortest one.
 inline constexpr const char* not_shortest = "the run may not be a shortest one: a limit ended the search for it";
 
 /// The model that decided a probabilistic assertion, and the result for each combination of values of its constants.
@@ -87,7 +87,7 @@ struct AssertionReport {
     std::string reason;  ///< set for inconclusive, no_check and error
     Basis basis;         ///< the basis of the answer, apart from the model
     refine::Statistics statistics;
-    /// True if this run computed at least a part of the answer, so it is not only from the cache.
+    /// True if this run computed at least a part of the answer. False if the whole answer comes from the cache.
     bool searched = false;
     std::optional<CertificateReport> certificate;  ///< no value if none was requested, or if the claim does not hold
     std::optional<runs::Run> run;                  ///< the counterexample of a model
@@ -105,7 +105,7 @@ struct BoundReport {
     std::string time;     ///< "untimed", "timed", or both
 };
 
-/// The sizes of a component's processes. If a limit was reached, the sizes explored until then.
+/// The sizes of a component's processes. If a limit ended the exploration, these are the sizes of the explored parts.
 struct SizeReport {
     struct Size {
         std::size_t states = 0;

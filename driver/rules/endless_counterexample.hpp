@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes endless runs. Some rules and claims demand an event without a time limit. An endless run in which this
-// event never occurs breaks them.
+// Describes endless runs. Some rules and claims demand an event without a time limit. Such a rule or claim is broken by
+// an endless run in which this event never occurs.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,9 @@
 
 namespace robochart::driver {
 
-/// Returns the run as steps of the terms from which the system was compiled; the repeated steps are its loop. Returns
-/// no value if the system has no terms, or if a state represents several terms. Throws process::Interrupted at a limit.
+/// Returns the run as steps of the terms from which the system was compiled. The repeated steps are the loop of the
+/// result. Returns no value if the system has no terms, or if a state represents several terms. Throws
+/// process::Interrupted at a limit.
 [[nodiscard]] std::optional<refine::Counterexample> endless_counterexample(lts::TransitionSystem& system,
                                                                            const sleec::EndlessRun& run,
                                                                            const refine::Limits& bounds);

@@ -31,7 +31,7 @@ struct JudgedRule {
 };
 
 /// States whether time can stop in a component although its platform accepts every output and call at once. After time
-/// has stopped, no demand of a rule expires any more, so the report mentions that time can stop.
+/// has stopped, no demand of a rule expires any more. Therefore the report mentions that time can stop.
 struct TimeStops {
     bool stops = false;
     std::string unknown;  ///< why it is not known; "" if it is known

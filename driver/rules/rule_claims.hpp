@@ -28,10 +28,10 @@ struct LoadedRules {
 /// Reads a rule file; "-" is standard input. If `unit` gives the length of a time unit, a second in a rule is a real
 /// second. Otherwise, a second is a time unit.
 void load_rules(const std::string& path, LoadedRules& loaded, durations::Unit unit = {});
-/// True if a limit above 0 of these rules is a number of seconds, because no time unit is declared.
+/// Returns true if a limit above 0 of these rules is a number of seconds, because no time unit is declared.
 [[nodiscard]] bool counts_seconds(const sleec::CheckedRules& rules);
 
-/// Decides the claims of one model. Every file is read once. Stores references to the constructor's arguments.
+/// Decides the claims of one model. Reads every file only once. Stores references to the constructor's arguments.
 class RuleClaims {
 public:
     RuleClaims(const Project& project, const csp_emit::Emission& emission, const SearchContext& search);

@@ -14,19 +14,20 @@
 namespace robochart::driver {
 
 /// Maps words of logs to events and measures of a rule file. A word is the text of one event in a log, such as `e?3`.
-/// Equal names are linked, unless the rule file has a `map`. Stores a reference to the rules.
+/// If the rule file has no `map`, a word is linked to the event or measure with the same name. Stores a reference to
+/// the rules.
 class RuleWords {
 public:
     explicit RuleWords(const sleec::CheckedRules& rules);
 
     /// Returns the events of the rule file that are linked to the name in the word (the part before `?` or `!`).
     [[nodiscard]] std::vector<std::size_t> declared_by_word(std::string_view word) const;
-    /// Like `declared_by_word`, but with the values in the word: an event with arguments has one case for each
-    /// combination of values. An event without arguments matches all values.
+    /// Returns the cases of these events that match the values in the word. An event with arguments has one case for
+    /// each combination of values. An event without arguments matches all values.
     [[nodiscard]] std::vector<std::size_t> events_of_word(std::string_view word) const;
     [[nodiscard]] std::vector<std::size_t> measures_of_word(std::string_view word) const;
-    /// Returns the value of a measure in the word. Returns no value if the rules cannot express it because it is a
-    /// fraction, or a literal that the rules do not declare.
+    /// Returns the value of a measure in the word. Returns no value if the rules cannot express the value, because it
+    /// is a fraction or a literal that the rules do not declare.
     [[nodiscard]] std::optional<std::int64_t> value_in(std::size_t measure, std::string_view word) const;
 
 private:
@@ -43,7 +44,7 @@ class RuleRun {
 public:
     RuleRun(RulesOf of, sleec::WithoutLimit without);
 
-    /// Adds a reading at this instant. It has no value if the rules cannot express the value.
+    /// Adds a reading at this instant. If the rules cannot express the value of the reading, the reading has no value.
     void read(std::size_t measure, std::optional<std::int64_t> value);
     /// Adds an event at this instant; `line` is its line in a log.
     void add_event(std::size_t event, std::uint64_t line = 0);
@@ -55,11 +56,12 @@ public:
     void end() { end_instant(); }
 
     [[nodiscard]] bool is_broken() const { return !text_.empty(); }
-    /// The first violation. The text has one line for each duty, and then a line for the event that broke the duties.
+    /// The next three functions describe the first violation. The text has one line for each duty, and then a line for
+    /// the event that broke the duties.
     [[nodiscard]] std::uint64_t violation_line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& violation_text() const { return text_; }
     [[nodiscard]] diagnostics::Span violation_place() const { return place_; }
-    /// The rules that were not followed after a trigger, because a measure had not been read.
+    /// Returns the rules that the monitor did not follow after a trigger, because a measure had not been read.
     [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return monitor_.open_triggers(); }
     [[nodiscard]] std::int64_t elapsed_seconds() const { return monitor_.current_second(); }
 

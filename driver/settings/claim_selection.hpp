@@ -22,11 +22,11 @@ struct ClaimSelection {
 [[nodiscard]] ClaimSelection select_claims(const std::vector<std::string>& words,
                                            const std::vector<std::string>& names);
 
-/// True if the word is a number or a range of numbers.
+/// Returns true if the word is a number or a range of numbers.
 [[nodiscard]] bool selects_by_number(std::string_view word);
 
-/// Explains why a word selects no claim: "the model has 3 assertions", "s.csp has no assertion of this name; did you
-/// mean 'Safe'?". `subject` names the model or script.
+/// Explains why a word selects no claim, as in "the model has 3 assertions" or "s.csp has no assertion of this name;
+/// did you mean 'Safe'?". `subject` names the model or script.
 [[nodiscard]] std::string why_lost(std::string_view word, const std::vector<std::string>& names,
                                    std::string_view subject);
 

@@ -21,25 +21,26 @@ public:
     Services(const Services&) = delete;
     Services& operator=(const Services&) = delete;
 
-    /// The limits of time and memory, and the interruption of the run.
+    /// Returns the limits of time and memory, with the interruption of the run.
     [[nodiscard]] virtual diagnostics::Budget& budget() = 0;
     /// Results of earlier runs; null if they are not used.
     [[nodiscard]] virtual diagnostics::Cache* cache() { return nullptr; }
-    /// Returns a function that receives the progress of a search about this subject; empty if progress is not shown.
+    /// Returns a function that receives the progress of a search about this subject. The function is empty if progress
+    /// is not shown.
     [[nodiscard]] virtual std::function<void(const refine::Progress&)> progress(const std::string& /*subject*/) {
         return {};
     }
-    /// True if an interrupted search can continue from stored states, so that a claim needs only one turn.
+    /// Returns true if an interrupted search can continue from stored states, so that a claim needs only one turn.
     [[nodiscard]] virtual bool continues_searches() const { return false; }
-    /// Returns the strategy for searches in files or by several programs; null for searches in memory. All calls return
-    /// the same object.
+    /// Returns the strategy for searches in files or by several programs. Returns null if searches are in memory. All
+    /// calls return the same object.
     [[nodiscard]] virtual refine::LevelStrategy* level_searches() { return nullptr; }
-    /// Locks results that another thread may print. The lock must be held while they are changed; a thread may hold it
-    /// several times.
+    /// Locks results that another thread may print. A thread must hold the lock while it changes these results. A
+    /// thread may take the lock several times.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> edit() { return std::unique_lock(results_mutex_); }
 
 protected:
-    /// Tries to take the lock of edit(). The result owns the lock unless another thread holds it.
+    /// Tries to take the lock of edit(). The result owns the lock, unless another thread holds the lock.
     [[nodiscard]] std::unique_lock<std::recursive_mutex> try_edit() {
         return std::unique_lock(results_mutex_, std::try_to_lock);
     }

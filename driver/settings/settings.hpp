@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the settings for processing a model, with one struct for each phase. A phase gets only the settings that it
-// needs. The services that a run provides to all phases (budget, cache, progress) are in services.hpp.
+// Defines the settings for processing a model, with one struct for each phase. Each phase gets only the settings that
+// it needs. services.hpp defines the services that a run provides to all phases (budget, cache, progress).
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ struct LoadSettings {
 /// Settings for the finite instantiation.
 struct InstantiationSettings {
     std::vector<std::string> constants;  ///< NAME=VALUE
-    /// NAME=VALUE from a scenario, a swarm or a log. These values are used for constants that `constants` does not set.
+    /// NAME=VALUE from a scenario, a swarm or a log. These values apply to constants that `constants` does not set.
     std::vector<std::string> weaker_constants;
     std::vector<std::string> ranges;  ///< TYPE=LOW..HIGH
 };
@@ -56,7 +56,8 @@ enum class Times { both, timed, untimed };
 /// Settings for the selection of claims.
 struct ClaimSettings {
     std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); if empty: all, or only `core_names`
-    /// Selected core properties (core_name()); empty: all, if `core` asks for them.
+    /// Selected core properties (core_name()). If the list is empty and `core` is true, all core properties are
+    /// selected.
     std::vector<std::string> core_names;
     Times times = Times::both;
     bool core = false;      ///< also checks the core properties of every component

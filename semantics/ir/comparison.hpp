@@ -8,8 +8,8 @@
 
 namespace robochart::ir {
 
-/// Returns the answer of a comparison (`equal`, `less`, ...) whose operands have this order. Unordered operands (NaN)
-/// are only not equal, as in C++.
+/// Returns the result of the comparison `kind` (`equal`, `less`, ...) for two operands with this order. If the operands
+/// are unordered (NaN), only `not_equal` is true, as in C++.
 [[nodiscard]] constexpr bool comparison_answer(ExprKind kind, std::partial_ordering order) {
     if (kind == ExprKind::less) return order < 0;
     if (kind == ExprKind::less_equal) return order <= 0;

@@ -10,8 +10,8 @@
 
 namespace robochart::ir {
 
-/// Returns the name of the function or of the smallest element of a component that contains a place, with its package:
-/// "P::S::t1". Returns "" if there is none.
+/// Returns the name of the element that contains a place, with its package: "P::S::t1". The element is a function, or
+/// the smallest element of a component. Returns "" if no element contains the place.
 [[nodiscard]] std::string element_at(const System&, diagnostics::Span);
 
 }  // namespace robochart::ir

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions whose contract names their result, so that no search for a value is necessary.
+// Recognises functions whose contract states their result. For such a function, no search for a result is necessary.
 #pragma once
 
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::ir {
 
-/// E if the only postcondition is `result == E`, with the operands in any order, where E has the type of the result and
-/// does not read `result`. Otherwise null. If E has a value, it is the only value that satisfies the postcondition.
+/// Returns E if the only postcondition is `result == E` or `E == result`. E must have the type of the result and must
+/// not read `result`. Returns null for all other functions. If E has a value, this value is the only one that satisfies
+/// the postcondition.
 [[nodiscard]] ExprPtr result_expression(const Function&);
 
-/// Whether the conditions of the function call it again, also through other functions.
+/// Returns whether the conditions of the function call the function again, directly or through other functions.
 [[nodiscard]] bool is_recursive(const System&, const Function&);
 
 }  // namespace robochart::ir

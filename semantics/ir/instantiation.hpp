@@ -19,7 +19,7 @@ namespace robochart::ir {
 struct Value {
     std::int64_t number = 0;
     std::vector<Value> parts;
-    /// Orders by number, then part by part. A list comes before the lists that it begins.
+    /// Compares by number, then part by part. A list comes before every longer list that begins with it.
     friend std::strong_ordering operator<=>(const Value&, const Value&);
     friend bool operator==(const Value&, const Value&);
 };
@@ -33,7 +33,7 @@ struct InstantiationOptions {
 
 /// A finite instantiation of a System. All sets are ascending and have no duplicates.
 struct Instantiation {
-    /// Reals are integers in units of 1/scale. The scale is a power of ten, and 1 if the model has no decimal literal
+    /// Reals are integers in units of 1/scale. The scale is a power of ten. It is 1 if the model has no decimal literal
     /// (as in RoboTool).
     std::int64_t scale = 1;
     std::vector<std::int64_t> nat, integer;
@@ -46,12 +46,13 @@ struct Instantiation {
     std::int64_t clock_bound = 10;                      ///< core_clock_type = {0..clock_bound}
     std::int64_t recursion_bound = 2;                   ///< limit on nested calls of one operation
     bool unbounded = false;                             ///< carriers contain all numbers, so arithmetic is not clipped
-    /// The values of constants that have none in the model, or that an option sets, by their qualified names as in CSP
-    /// (`const_P_S_c`, see query.hpp). An entry overrides the value in the model.
+    /// The values of constants that have no value in the model, and of constants that an option sets. The key is the
+    /// qualified name of the constant, as in CSP (`const_P_S_c`, see query.hpp). An entry overrides the value in the
+    /// model.
     std::map<std::string, Value> constants;
     /// Composed types for which only some values are considered. Maps the index of the type to these values, in
-    /// ascending order. Only the conformance check of components that pass such values on without reading them uses
-    /// this (conformance/model/representatives.hpp).
+    /// ascending order. Only the conformance check uses this map, for components that pass on such values without
+    /// reading them (conformance/model/representatives.hpp).
     std::map<std::uint32_t, std::vector<Value>> representatives;
     /// The limits on time and memory. Code that iterates over carriers or evaluates expressions polls this budget.
     diagnostics::Budget* budget = nullptr;

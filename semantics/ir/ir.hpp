@@ -3,8 +3,8 @@
 // indices, expressions are typed, and actions are small structured programs. The back ends csp_emit and cpp_emit read
 // only this representation. It contains no CSP and no C++.
 //
-// Conventions: every *Id is an index into the vector named in its comment, local to the enclosing Machine unless stated
-// otherwise. An Origin gives the place in the model text, for reports.
+// Conventions: every *Id is an index into the vector that its comment names. If this is a vector of Machine, it belongs
+// to the enclosing machine, unless stated otherwise. An Origin gives the place in the model text, for reports.
 #pragma once
 
 #include <cstdint>
@@ -74,7 +74,7 @@ enum class TypeKind {
     unit
 };
 
-/// True for sets, and for relations and functions, which are sets of pairs.
+/// Returns true for sets, and for relations and functions, which are sets of pairs.
 [[nodiscard]] constexpr bool is_set_like(TypeKind kind) {
     return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
 }
@@ -211,7 +211,7 @@ enum class StmtKind {
     clock_reset,
     deadline,
     exec,   ///< RoboSim: ends the cycle
-    choose  ///< only in models that semantics/data makes; these models are checked, but no code is generated from them
+    choose  ///< only in models that semantics/data makes; no code is generated from these models
 };
 
 struct Stmt;
@@ -223,7 +223,7 @@ struct Stmt {
     StmtKind kind = StmtKind::skip;
     std::uint32_t point = 0;
     /// sequence: all statements; if: then, else (else may be skip); deadline: one statement; choose: the alternatives
-    /// of an internal choice. If there are no alternatives, the thread remains blocked.
+    /// of an internal choice. A choice without alternatives blocks the thread forever.
     std::vector<StmtPtr> body;
     ExprPtr condition;          ///< if
     VariableId variable;        ///< assign: the variable
@@ -242,7 +242,7 @@ struct Stmt {
 /// The scope of a variable: which component declares it and which may write it.
 enum class VariableScope {
     local,      ///< declared by the machine, private to it
-    required,   ///< declared by a required interface and shared; the machine keeps a copy (semantics 3.7)
+    required,   ///< declared by a required interface and shared; the machine has a copy (semantics 3.7)
     parameter,  ///< a parameter of an operation; read-only
     reg,        ///< RoboSim: a register of the input or output context; its name begins with `$`
 };
@@ -263,7 +263,7 @@ struct Constant {
     std::string name;
     TypeId type;
     ExprPtr value;  ///< null: taken from the instantiation
-    /// True if a required interface declares the constant. It then has the value of its provider
+    /// True if a required interface declares the constant. The constant then has the value of its provider
     /// (semantics/ir/query.hpp).
     bool required = false;
     std::string interface;
@@ -282,7 +282,7 @@ struct Event {
     Origin origin;
 };
 
-/// A clock of a machine: counts time units since its last reset, or since a state was entered.
+/// A clock of a machine. It counts the time units since its last reset, or since a state was entered.
 struct Clock {
     std::string name;       ///< the name; for the clock of sinceEntry(S), the path of S joined by '_'
     NodeId entry_of;        ///< valid: the clock of sinceEntry(node)
@@ -291,8 +291,8 @@ struct Clock {
     Origin origin;
 };
 
-/// An operation that a machine calls. Its definition depends on the context of the machine (controller, module, or
-/// none): see MachineInstance::definitions.
+/// An operation that a machine calls. The definition of the operation depends on the context of the machine (a
+/// controller, a module, or no context). MachineInstance::definitions contains the definition.
 struct OperationSignature {
     std::string name;
     std::vector<std::string> parameter_names;
@@ -458,9 +458,10 @@ struct Module {
     bool robosim = false;  ///< it runs in cycles; the constants of its platform include cycle_length
 };
 
-/// A function that the model uses. Only its contract specifies it. `parameter_names` are bound in the conditions, and
-/// `result` is bound in the postconditions. Postconditions define the result: the default value of the result type if
-/// it satisfies them, otherwise the least value of its carrier that does (rule RC-S20).
+/// A function that the model uses. Only its contract specifies the function. `parameter_names` are bound in the
+/// conditions, and `result` is bound in the postconditions. The postconditions define the result: it is the default
+/// value of the result type if this value satisfies them. Otherwise it is the least value of the carrier that satisfies
+/// them (rule RC-S20).
 struct Function {
     std::string name;
     std::string package;
@@ -516,15 +517,15 @@ struct Property {
     PropertyModel model = PropertyModel::failures_divergences;
     ComponentRef subject;
     ComponentRef other;  ///< refines, equals
-    /// For reachable: the CSP path of the state below the subject ("S1", "C::Inner"). For clock_initialised: the clock.
-    /// For event_missed: the state of the subject, or "" for the whole machine.
+    /// For `reachable`: the CSP path of the state below the subject ("S1", "C::Inner"). For `clock_initialised`: the
+    /// clock. For `event_missed`: the state of the subject, or "" for the whole machine.
     std::string state;
     std::string event;            ///< event_missed
     std::string rule;             ///< conforms: the name of the rule
     std::int64_t time_units = 1;  ///< event_missed: the number of consecutive time units
-    /// `with constant c of X set to e`: the name of the constant as in query.hpp, and its value. The name is that of
-    /// the component that determines the value (the provider of a required constant). For `with parameter p of O`, the
-    /// name begins with "param_" instead of "const_".
+    /// For `with constant c of X set to e`: the name of the constant as in query.hpp, and its value. For a required
+    /// constant, this is the name of the provider's constant, because the provider determines the value. For `with
+    /// parameter p of O`, the name begins with "param_" instead of "const_".
     std::vector<std::pair<std::string, ExprPtr>> constants;
     std::string file;     ///< path of the .assertions file
     std::string wording;  ///< the source text of the assertion, on one line

@@ -17,14 +17,14 @@ struct NumberPart {
     friend auto operator<=>(const NumberPart&, const NumberPart&) = default;
 };
 
-/// Returns the numbers of a value, in their order, if the type is nat, int, real, or a product or record of such types.
-/// The result is empty for all other types.
+/// If the type is nat, int, real, or a product or record of such types, returns the numbers in a value of the type, in
+/// their order. The result is empty for all other types.
 [[nodiscard]] std::vector<NumberPart> number_parts(const System& system, TypeId type);
 
-/// True for sequences of nat, int or real.
+/// Returns true for sequences of nat, int or real.
 [[nodiscard]] bool is_number_sequence(const System& system, TypeId type);
 
-/// True if a value of the type, or a part of it, is a number or has no finite set of values.
+/// Returns true if the type or a part of the type is a type of numbers, or has no finite set of values.
 [[nodiscard]] bool has_numbers(const System& system, TypeId type);
 
 }  // namespace robochart::ir

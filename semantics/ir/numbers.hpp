@@ -14,7 +14,7 @@ namespace robochart::ir {
 /// bits.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view);
 /// Reads a decimal such as `3` or `-0.75`. Trailing zeros of the fraction are removed (0.50 is 5 * 10^-1). Returns no
-/// value beyond 64 bits or 18 decimal places.
+/// value if the number needs more than 64 bits or more than 18 decimal places.
 [[nodiscard]] std::optional<Decimal> parse_decimal(std::string_view);
 /// Returns the shortest RoboChart literal of the number: "-0.75", "3".
 [[nodiscard]] std::string to_string(const Decimal&);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds constants without a value in the model that are used in a divisor.
+// Finds constants that have no value in the model but are used in a divisor.
 #pragma once
 
 #include <string>

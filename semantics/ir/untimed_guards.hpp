@@ -14,8 +14,9 @@ struct UntimedGuard {
     std::vector<ExprPtr> left_open;  ///< the parts that read clocks and are not in `kept`
 };
 
-/// Converts a condition. Operands of `/\`, `\/`, `not`, `=>` and `if` that read no clock are kept. A part that reads a
-/// clock may be true or false. So every transition that can fire at some time can also fire in the untimed semantics.
+/// Converts a condition. The result contains the operands of `/\`, `\/`, `not`, `=>` and `if` that read no clock. A
+/// part that reads a clock may be true or false. So every transition that can fire at some time can also fire in the
+/// untimed semantics.
 [[nodiscard]] UntimedGuard untimed_guard(const ExprPtr& condition);
 
 }  // namespace robochart::ir

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A store for more rows than fit into memory (docs/search.md, "Out of core"). Sorted files contain all closed levels.
 // Memory contains a filter over all closed levels, and rows of the open level. Rows of the open level are written as
-// sorted runs when they need too much memory. A row that the filter rejects is new. A row that it accepts is almost
-// certainly a duplicate: it is put aside, in files if there are many such rows. From time to time, and before any
-// verdict, the store settles these rows: it reads all levels and looks for them. A row that no level contains was taken
-// for a duplicate by mistake. If it belongs to the open level, it is added to this level. Otherwise the search rolls
-// back to the level of the row.
+// sorted runs when they need too much memory. A row that the filter rejects is new. A row that the filter accepts is
+// almost certainly a duplicate. The store puts such a row aside. If it puts many rows aside, it writes them to files.
+// From time to time, and before any verdict, the store settles the rows that it has put aside: it reads all levels and
+// looks for these rows. If no level contains a row, the store has taken the row for a duplicate by mistake. If the row
+// belongs to the open level, the store adds the row to this level. Otherwise the search rolls back to the level of the
+// row.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +34,8 @@ public:
     struct Bounds {
         std::uint64_t most_bytes = 0;  ///< limit on the total memory, without the blocks of runs in a merge
         unsigned filter_bits = 32;     ///< maximal number of bits for each row
-        /// An estimate of how many rows can be read from files in the time that the search needs for one row. If it is
-        /// 0, rows are settled only when this is unavoidable.
+        /// An estimate of how many rows the store can read from files in the time that the search needs for one row. If
+        /// the estimate is 0, the store settles rows only when this is unavoidable.
         unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< receives the statistics at the end; may be empty
     };
@@ -95,7 +96,7 @@ private:
     Level late_level_ = 0;   ///< the least level with missing rows
     Store late_;             ///< the missing rows
     std::uint64_t met_ = 0;  ///< number of rows that were entered since the last settling
-    std::uint64_t new_ = 0;  ///< number of them that were new
+    std::uint64_t new_ = 0;  ///< number of these rows that were new
     Figures figures_;
 };
 

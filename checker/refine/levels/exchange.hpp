@@ -14,8 +14,9 @@ namespace robochart::refine {
 
 using Words = std::vector<lts::Word>;
 
-/// Returns the number of the rank that owns a row with this hash (lts::StateStore::hash). The number is below `ranks`
-/// and is the same in every run. The hash is mixed again, so that the rows of one rank are spread over its whole table.
+/// Returns the number of the rank that owns a row with this hash (lts::StateStore::hash). The number is less than
+/// `ranks` and is the same in every run. The function mixes the hash again, so that the rows of one rank are spread
+/// over the whole table of this rank.
 [[nodiscard]] inline unsigned owner_of(std::uint64_t hash, unsigned ranks) {
     hash = (hash ^ hash >> 29U) * 0xBF58476D1CE4E5B9ULL;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
@@ -27,7 +28,7 @@ struct Messages {
     [[nodiscard]] lts::StateView message_of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }
 
     Words words;
-    std::vector<std::size_t> begins, sizes;  ///< by rank: where its message begins, and its size
+    std::vector<std::size_t> begins, sizes;  ///< by rank: position and size of its message
 };
 
 class Exchange {
@@ -48,10 +49,10 @@ public:
     virtual void all_to_all(const Messages& out, Messages& in) = 0;
     /// Replaces each value by its sum over all ranks.
     virtual void sum(std::span<std::uint64_t> values) = 0;
-    /// Returns at every rank the words that each rank has passed. It is intended for few words.
+    /// All-gather: returns the words `own` of all ranks, at every rank. The function is intended for few words.
     [[nodiscard]] virtual std::vector<Words> gather(const Words& own) = 0;
-    /// Replaces the bytes by the bytes of rank 0. A rank may wait for a long time, but then it does not use its
-    /// processor.
+    /// Broadcast: replaces the bytes by the bytes of rank 0. A rank may wait for a long time. While it waits, it does
+    /// not use its processor.
     virtual void broadcast(std::string& bytes) = 0;
 
     /// Statistics about the messages that this rank has sent to others by all_to_all.

@@ -11,7 +11,7 @@
 namespace robochart::refine {
 
 /// Calls `prefetch(hash)` for several rows before it calls `visit(row, hash)` for the first of them. The size of `rows`
-/// is a multiple of `width` words; there must be at least one row.
+/// is a multiple of `width` words. There must be at least one row.
 template <class Prefetch, class Visit>
 void each_hashed(lts::StateView rows, std::size_t width, const Prefetch& prefetch, const Visit& visit) {
     assert(rows.size() % width == 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contains the common part of row stores that use files. It writes the levels of one rank to files, decides when to
-// write checkpoints, and continues searches from a checkpoint, which any number of ranks may have written.
+// Contains the common part of row stores that use files. This part writes the levels of one rank to files and decides
+// when to write checkpoints. It also continues searches from a checkpoint. Any number of ranks may have written this
+// checkpoint.
 #pragma once
 
 #include <chrono>
@@ -25,7 +26,7 @@ struct KeptWhere {
     storage::Newest from;   ///< the checkpoint from which the search continues, the same at all ranks
     /// The time between checkpoints. If it has no value, checkpoints are written only on limits and interrupts.
     std::optional<std::chrono::milliseconds> every;
-    /// Returns whether a row belongs to this rank. If the function is empty, all rows do.
+    /// Returns whether a row belongs to this rank. If the function is empty, all rows belong to this rank.
     std::function<bool(lts::StateView row)> mine;
     /// Polled during long work; it must outlive the store.
     diagnostics::Pollable* budget = &diagnostics::unlimited;
@@ -40,10 +41,10 @@ class KeptLevels {
 public:
     explicit KeptLevels(KeptWhere where);
 
-    /// A function that receives an unsure row, which may be a duplicate of an earlier row. If it is no duplicate, it
-    /// belongs to `level`.
+    /// A function that receives an unsure row. The row may be a duplicate of an earlier row. If it is not a duplicate,
+    /// it belongs to `level`.
     using TakeUnsure = std::function<void(Level level, lts::StateView row)>;
-    /// Continues from the checkpoint, if there is one. files() then contains the levels that all ranks of the
+    /// Continues from the checkpoint, if there is one. Afterwards, files() contains the levels that all ranks of the
     /// checkpoint have closed, and the record describes these levels. Calls `unsure` after the levels have been loaded.
     /// Throws storage::BadFile, and the exceptions of `unsure`.
     void load_checkpoint(SearchRecord& record, const TakeUnsure& unsure);
@@ -58,9 +59,9 @@ public:
     /// Writes a checkpoint. `unsure` passes unsure rows, each followed by its level. Rows of levels that are not closed
     /// are omitted. Throws storage::CannotWrite.
     void checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
-    /// Writes a checkpoint of as many levels as there is space for, after a checkpoint failed with CannotWrite. It
-    /// drops the other levels, so the search is over. Throws storage::CannotWrite if no level remains that is not in
-    /// the previous checkpoint.
+    /// Call this function after a checkpoint has failed with CannotWrite. It writes a checkpoint with as many levels as
+    /// there is space for, and drops the other levels. The search cannot continue afterwards. Throws
+    /// storage::CannotWrite if the new checkpoint would not contain more levels than the previous one.
     void checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
     void poll() const { where_.budget->poll(); }
 

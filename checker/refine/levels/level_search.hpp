@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A level-synchronous search by several ranks. It searches the same product of system and monitor as search.hpp, but
 // the hash of a row determines the rank that owns it, and no parents are stored. The ranks expand a level in rounds,
-// exchange the rows found, and agree at the end of each level. Runs are found afterwards by expanding the earlier
-// levels again.
+// exchange the rows that they find, and synchronise at the end of each level. To find a run afterwards, the search
+// expands the earlier levels again.
 //
-// The result does not depend on the number of ranks, nor on where rows are stored. If there are several violations at
-// the least level, a state's fault comes before a forbidden event. Among several faults, the fault of the least row is
-// reported; rows are compared by their words. If a row has several predecessors, the run contains the least of them, by
-// words, then by event and revealed event. If a violation is found, the statistics include its whole level.
+// The result depends neither on the number of ranks nor on where rows are stored. If there are several violations at
+// the least level, the search reports the fault of a state rather than a forbidden event. Among several faults, it
+// reports the fault of the least row. (Rows are compared by their words.) If a row has several predecessors, the run
+// contains the least predecessor, compared by words, then by event, then by revealed event. If a violation is found,
+// the statistics include its whole level.
 #pragma once
 
 #include <limits>
@@ -45,11 +46,11 @@ public:
     LevelSearch& operator=(const LevelSearch&) = delete;
     ~LevelSearch();
 
-    /// Returns the first violation, or no value if all rows have been searched. From level `events_until` on, only taus
-    /// are followed. If any rank reaches a limit, all ranks write a checkpoint and throw.
+    /// Returns the first violation, or no value if the search has visited all rows. From level `events_until` on, the
+    /// search follows only taus. If any rank reaches a limit, all ranks write a checkpoint and throw.
     std::optional<LevelFinding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
-    /// Returns the first row on a cycle of taus: rows are ordered by level, then by words. Call it after a search that
-    /// noted taus and found no violation.
+    /// Returns the first row on a cycle of taus. Rows are ordered by level, then by words. Call this function after a
+    /// search that noted taus and found no violation.
     std::optional<LevelFinding> first_divergence();
 
     // The following statistics cover all ranks. If a violation was found, they cover all levels up to the level of the

@@ -35,8 +35,8 @@ public:
         largest_ = std::max(largest_, message.front + message.back);
         ++waiting_;
     }
-    /// Returns true if it is time to send: one message has reached 64 KiB, or all messages together have this many
-    /// bytes.
+    /// Returns true if it is time to send the messages: one message has reached 64 KiB, or all messages together have
+    /// this many bytes.
     [[nodiscard]] bool is_full(std::uint64_t bytes) const {
         return largest_ * sizeof(lts::Word) >= std::size_t{1} << 16U || waiting_ * width_ * sizeof(lts::Word) >= bytes;
     }
@@ -63,8 +63,9 @@ public:
     }
 
 private:
-    /// How the space for one rank's message is used. At the beginning is a word for the number of rows that are not
-    /// targets of taus, which is filled in later. These rows follow. The targets of taus are at the end of the space.
+    /// Describes the space for the message to one rank. The first word is the number of rows that are not targets of
+    /// taus; it is written when the message is complete. These rows follow the first word. The targets of taus are at
+    /// the end of the space.
     struct Message {
         std::size_t front = 1;
         std::size_t back = 0;

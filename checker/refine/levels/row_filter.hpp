@@ -2,9 +2,9 @@
 // A filter of rows. It stores some bits of the hash of each row, in buckets of one cache line. It never rejects a row
 // that was added. To stay within its memory limit, it stores fewer bits of each row when there are more rows.
 //
-// A bucket consists of parts; other bits of the hash select the part of a row. So a look-up compares the row with few
-// other rows: with less than one on average, or with about eight if only 8 bits of each row are stored. The number of
-// rows in each part is stored in unary (Pandey et al., Vector quotient filters, SIGMOD 2021).
+// A bucket consists of parts. Other bits of the hash select the part for a row. So a look-up compares the row with few
+// other rows: with less than one row on average, or with about eight rows if only 8 bits of each row are stored. The
+// filter stores the number of rows in each part in unary (Pandey et al., Vector quotient filters, SIGMOD 2021).
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ namespace robochart::refine {
 
 class RowFilter {
 public:
-    /// Creates a filter that stores `most_bits` (1 to 32) of each hash, or fewer: the largest of 24, 16 and 8 bits with
-    /// which all rows fit into `most_bytes` and the expected number of mistaken rows is negligible. If not even 8 bits
-    /// fit, the filter accepts every row.
+    /// Creates a filter that stores `most_bits` (1 to 32) bits of each hash. The filter stores only 24, 16 or 8 bits in
+    /// two cases: all rows would not fit into `most_bytes` otherwise, or the expected number of rows taken for
+    /// duplicates by mistake is still negligible. If all rows would not fit with 8 bits, the filter accepts every row.
     RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
     /// Removes all rows and prepares for this many rows, and for some more if there is memory for them.
@@ -40,12 +40,12 @@ private:
 
     void keep_bits(unsigned bits);
     [[nodiscard]] static double errors_with(unsigned bits, std::uint64_t buckets);
-    /// Returns how many rows may be stored in this many buckets: nineteen of twenty places are used at most. If a
-    /// bucket is full, its further rows are stored in the next bucket.
+    /// Returns how many rows may be stored in this many buckets. At most nineteen of twenty places are used. If a
+    /// bucket is full, further rows of this bucket are stored in the next bucket.
     [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 19 / 20; }
-    /// Returns the bucket for a hash. The upper half of the hash, multiplied by the number of buckets, determines the
-    /// bucket (by the upper half of the product) and the part (by the lower half). The stored bits are from the lower
-    /// half of the hash.
+    /// Returns the bucket for a hash. Multiply the upper half of the hash by the number of buckets. The upper half of
+    /// this product determines the bucket, and the lower half determines the part. The stored bits are bits of the
+    /// lower half of the hash.
     [[nodiscard]] std::uint64_t home_of(std::uint64_t hash) const { return ((hash >> 32U) * buckets_) >> 32U; }
     [[nodiscard]] unsigned part_of(std::uint64_t hash) const {
         return static_cast<unsigned>(((((hash >> 32U) * buckets_) & 0xFFFFFFFFU) * parts_) >> 32U);
@@ -60,8 +60,9 @@ private:
     std::uint64_t most_bytes_;
     unsigned bytes_of_row_ = 0;
     std::uint32_t mask_ = 0;
-    /// The number of places in a bucket. Before the places is a word that encodes the number of used places of each
-    /// part: as many ones, then a zero. Its top bit is set if all places are used.
+    /// The number of places in a bucket. The first word of a bucket precedes the places. For each part, it contains as
+    /// many ones as the part has used places, followed by a zero. The top bit of this word is set if all places are
+    /// used.
     unsigned places_ = 0;
     unsigned parts_ = 0;  ///< number of parts in a bucket
     lts::Pages memory_;

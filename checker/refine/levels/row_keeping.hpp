@@ -21,7 +21,8 @@ namespace robochart::refine {
 struct RowKeeping {
     /// A folder that the first rank has created and that only this search uses; "" if rows are stored only in memory.
     std::string folder;
-    /// The contents of the folder's file `run_name`, by which a rank recognises the folder of the first rank.
+    /// The contents of the file `run_name` in the folder. With this file, a rank recognises the folder of the first
+    /// rank.
     std::string run;
     diagnostics::Digest search{};        ///< identifies the search
     storage::Newest from;                ///< the checkpoint to continue from
@@ -33,13 +34,13 @@ struct RowKeeping {
     unsigned reads_a_step = DiskRowStore::Bounds{}.reads_a_step;
 };
 
-/// A rank that sees this file sees the folder of the first rank. While a rank uses the folder, it holds a shared lock
-/// on the file (flock), so that no other run begins before an earlier one has ended.
+/// If a rank sees this file, it sees the folder of the first rank. While a rank uses the folder, the rank holds a
+/// shared lock on this file (flock). So no other run can use the folder before this run has ended.
 inline constexpr const char* const run_name = "run";
 
 /// Creates the store for the rows of this rank, which have `width` words. The store polls the budget during long work.
-/// `report`: see DiskRowStore::Bounds. Throws storage::BadFile, also if this rank does not see the right folder, and
-/// storage::CannotWrite.
+/// `report`: see DiskRowStore::Bounds. Throws storage::BadFile if a file is damaged or if this rank does not see the
+/// folder of the first rank. Also throws storage::CannotWrite.
 [[nodiscard]] std::unique_ptr<RowStore> make_row_store(const RowKeeping& keeping, std::size_t width,
                                                        const Exchange& exchange, diagnostics::Pollable& budget,
                                                        std::function<void(const DiskRowStore::Figures&)> report);

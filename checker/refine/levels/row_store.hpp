@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the interface of stores for the rows that one rank of a level-synchronous search has found, without
-// duplicates, level by level. A row consists of the monitor's node, if the monitor has nodes, and the words of a state.
-// Implementations store rows in memory or in files, and may continue an earlier run.
+// Defines the interface of row stores. A row store contains the rows that one rank of a search by levels has found,
+// without duplicates, level by level. A row consists of the monitor's node, if the monitor has nodes, and the words of
+// a state. Implementations store rows in memory or in files, and may continue an earlier run.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +32,9 @@ struct SearchRecord {
 /// Stores rows by levels. Levels 0 to levels()-1 are closed: their rows are complete. The next level, number levels(),
 /// is open: rows are entered into it. Not thread-safe.
 ///
-/// A store that does not have all earlier rows in memory may return `unsure`, which means that the row may be in a
-/// closed level. The store keeps such a row, with the number of the open level, until it settles its unsure rows. Until
-/// then the search treats the row as a duplicate.
+/// If a store does not have all earlier rows in memory, it may return `unsure` for a row. This means that the row may
+/// be in a closed level. The store remembers the row with the number of the open level until it settles its unsure
+/// rows. Until then, the search treats the row as a duplicate.
 class RowStore {
 public:
     enum class Found : std::uint8_t {
@@ -51,15 +51,15 @@ public:
     virtual ~RowStore() = default;
 
     [[nodiscard]] std::size_t width() const { return width_; }
-    /// Returns the number of closed levels. If it is not 0 at the beginning, the store continues an earlier run, in
-    /// which the last closed level has not been expanded.
+    /// Returns the number of closed levels. If the number is not 0 at the beginning, the store continues an earlier
+    /// run. The last closed level has then not been expanded.
     [[nodiscard]] virtual Level levels() const = 0;
     /// Returns the number of rows in a closed level, or the number of rows in the open level so far.
     [[nodiscard]] virtual std::uint64_t rows(Level level) const = 0;
     /// Returns the number of rows in all levels.
     [[nodiscard]] virtual std::uint64_t size() const = 0;
 
-    /// Returns the number of rows at all former ranks if the store continues a run with another number of ranks. All
+    /// If the store continues a run with another number of ranks, returns the number of rows at all former ranks. All
     /// present ranks together have the same number of rows.
     [[nodiscard]] virtual std::optional<std::uint64_t> rows_before() const { return std::nullopt; }
 
@@ -70,28 +70,31 @@ public:
     virtual Found enter_row(lts::StateView row, std::uint64_t hash) = 0;
     /// Closes the open level and opens the next one, which is empty.
     virtual void close_level() = 0;
-    /// Appends at most `most` rows of a closed level to `rows`, beginning with row number `first`. The order is chosen
-    /// by the store and does not change until the store rolls back. Returns the number of appended rows, which is 0
-    /// after the end. It is intended for sequential reading. Rows may be entered between calls.
+    /// Appends at most `most` rows of a closed level to `rows`, beginning with row number `first`. The store chooses
+    /// the order of the rows. The order does not change until the store rolls back. Returns the number of appended
+    /// rows; 0 means that there are no more rows. The function is intended for sequential reading. Rows may be entered
+    /// between calls.
     virtual std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) = 0;
 
     /// Returns true if there are so many unsure rows that the store should settle them now.
     [[nodiscard]] virtual bool wants_to_settle() const { return false; }
-    /// Settles all unsure rows by comparing them with the closed levels. Returns no value if all of them are
-    /// duplicates, which means that they are in an earlier level than their own. Otherwise returns the least level to
-    /// which one of the other rows belongs. The search calls this function if a rank wants to settle its rows, and
-    /// before any verdict.
+    /// Settles all unsure rows by comparing them with the closed levels. Returns no value if all unsure rows are
+    /// duplicates, that is, if each of them is in an earlier level than its own. Otherwise returns the least level to
+    /// which an unsure row belongs that is not a duplicate. The search calls this function if a rank wants to settle
+    /// its rows, and before any verdict.
     [[nodiscard]] virtual std::optional<Level> settle_unsure_rows() { return std::nullopt; }
-    /// Opens `level` again, which is at most the open level. It keeps the rows of this level, adds the settled rows
-    /// that belong to it, and drops later levels and unsure rows. Rows that were mistaken for duplicates are stored
-    /// exactly afterwards. All ranks call it with the least level of all ranks.
+    /// Opens `level` again. `level` is at most the open level. The function does not remove the rows of this level. It
+    /// adds the settled rows that belong to this level, and drops later levels and unsure rows. Afterwards, the rows
+    /// that were mistaken for duplicates are stored exactly. All ranks call this function with the least level of all
+    /// ranks.
     virtual void roll_back_to(Level /*level*/) {}
 
     /// Returns true if it is time to write a checkpoint.
     [[nodiscard]] virtual bool wants_checkpoint() const { return false; }
-    /// Writes all closed levels and the record, so that another run can continue from them. If one rank requests it,
-    /// all ranks call this function after close_level. It is also called during a level on a limit or an interrupt. The
-    /// checkpoint then does not contain the open level, and record().expanded has no entry for the last closed level.
+    /// Writes all closed levels and the record, so that another run can continue from them. If one rank requests a
+    /// checkpoint, all ranks call this function after close_level. At a limit or an interrupt, they also call this
+    /// function during a level. The checkpoint then does not contain the open level, and record().expanded has no entry
+    /// for the last closed level.
     virtual void checkpoint() {}
 
     /// Returns the total memory use in bytes.

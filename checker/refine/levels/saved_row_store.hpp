@@ -16,7 +16,8 @@ public:
     /// storage::BadFile.
     explicit SavedRowStore(KeptWhere where);
 
-    /// The maximum is needed during a rollback, when the files contain more levels than memory.
+    /// Returns the number of closed levels. During a rollback, the files contain more levels than the memory, so the
+    /// result is the maximum of both numbers.
     [[nodiscard]] Level levels() const override { return std::max(rows_->levels(), kept_.files().levels()); }
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const override { return kept_.rows_before(); }
     [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }
@@ -40,8 +41,8 @@ private:
 
     KeptLevels kept_;
     std::unique_ptr<MemoryRowStore> rows_;
-    /// Rows that an earlier run has missed because it did not have all rows in memory, with their levels; sorted by
-    /// level.
+    /// Rows that an earlier run has missed because it did not have all rows in memory. Each row has its level. The rows
+    /// are sorted by level.
     std::vector<std::pair<Level, std::vector<lts::Word>>> late_;
 };
 

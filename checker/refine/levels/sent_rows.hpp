@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Remembers the rows that a rank has sent recently, so that it does not send them again. This saves work, because
 // neighbouring rows often have the same successors. The table is small enough for the processor's cache. It forgets old
-// rows, so a row may be sent again; this is harmless, because the owner stores each row once. It never takes a new row
-// for a sent one, because it compares whole rows.
+// rows, so a rank may send a row again. This is harmless, because the owner of the row stores each row only once. The
+// table compares whole rows, so it never takes a new row for a sent row.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds cycles of taus among the rows of all ranks. Every cycle contains a marked row (SearchRecord::marks). The
 // algorithm follows taus from the marked rows. Then it repeatedly removes rows to which no tau of a remaining row
-// leads. If rows remain, there is a cycle, because a tau of a remaining row leads to each of them. (OWCTY without its
-// fairness; Cerna and Pelanek, SPIN 2003; Barnat et al. 2009.) Rank 0 examines the remaining rows.
+// leads. If some rows remain, there is a cycle, because a tau of a remaining row leads to each remaining row. (The
+// algorithm is OWCTY without fairness: Cerna and Pelanek, SPIN 2003; Barnat et al. 2009.) Rank 0 examines the remaining
+// rows.
 #pragma once
 
 #include <optional>

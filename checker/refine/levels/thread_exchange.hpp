@@ -15,16 +15,17 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Calls `work` in this many threads and returns when all have ended. The caller's thread is the first of them. Each
-/// rank of `programs` is a program, and calls this function with the same number of threads. The threads of program p
-/// are the ranks p * threads, p * threads + 1, ... of the exchange that is passed to `work`. Messages between threads
-/// of one program stay in its memory. All messages to another program are combined into one. Only the caller's thread
-/// calls `programs`.
+/// Calls `work` in this many threads and returns when all threads have ended. The caller's thread is the first of these
+/// threads. Each rank of `programs` is a program. All programs call this function with the same number of threads. The
+/// threads of program p are the ranks p * threads, p * threads + 1, ... of the exchange that is passed to `work`.
+/// Messages between threads of one program stay in its memory. All messages to another program are combined into one.
+/// Only the caller's thread calls `programs`.
 ///
-/// If threads of the program have failed, throws an exception of the first of these kinds: that of a thread that failed
-/// itself, that of a thread that learned of another rank's failure (RankFailed), or that of a thread that lost another
-/// rank (RankLost). `programs` have left the work together if all these threads have. Throws LimitReached if a thread
-/// cannot be started; then all programs have left together.
+/// If threads of the program have failed, throws the exception of one of them. It prefers the exception of a thread
+/// that failed itself. The second choice is the exception of a thread that learned of another rank's failure
+/// (RankFailed), and the last choice that of a thread that lost another rank (RankLost). If all threads of this program
+/// have left the work together, all `programs` have left it together too. If a thread cannot be started, throws
+/// LimitReached; all programs have then left the work together.
 void as_ranks(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work);
 /// Runs the threads of a single program as ranks.
 void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work);

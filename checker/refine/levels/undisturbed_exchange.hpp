@@ -9,9 +9,9 @@
 
 namespace robochart::refine {
 
-/// Forwards all calls to another exchange. During each call it holds the object that Limits::undisturbed returns. If a
-/// limit has been reached during a call, it holds that object until its own destruction. By then, all ranks have
-/// learned of the limit and written their results.
+/// Forwards all calls to another exchange. During each call, this exchange holds the object that Limits::undisturbed
+/// returns. If a limit was reached during a call, it holds this object until its own destruction. At that time, all
+/// ranks have learned of the limit and written their results.
 class UndisturbedExchange final : public Exchange {
 public:
     /// `over` returns whether a limit is reached. `real` must outlive the object.

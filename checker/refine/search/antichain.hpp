@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds pairs that need not be searched: a pair with the same state and a subset of the specification states has
-// already been searched. The smaller set of specification states allows only what the larger set allows. So every
-// violation of a run of the larger pair is also a violation of a run of the smaller pair that is not longer.
+// already been searched. The smaller set of specification states allows only what the larger set allows. So for every
+// violation after the pair with the larger set, there is a violation after the pair with the smaller set whose run is
+// not longer.
 //
 // The algorithm follows Laveaux, Groote and Willemse, "Correct and efficient antichain algorithms for refinement
-// checking" (LMCS 17(1), 2021): the test is made before a pair is entered. A pair that has been entered is expanded,
-// unless a pair that covers it is on its own level or an earlier one. So a pair that covers another was reached by a
-// run that is not longer, and shortest violations have the same length as in the search of all pairs.
+// checking" (LMCS 17(1), 2021): the search tests a pair before it enters the pair. It expands an entered pair unless
+// another pair on the same level or an earlier level covers it. So the run to a covering pair is not longer than the
+// run to the covered pair. Therefore shortest violations have the same length as in the search of all pairs.
 #pragma once
 
 #include <vector>

@@ -21,8 +21,8 @@ enum class CallMoment : std::uint8_t {
     between_states,  ///< when a search calls Budget::between_states; the function may then use the searched systems
 };
 
-/// The limits of one check: the budget of the run, with an additional limit on states. The search charges it for work.
-/// It also reports progress.
+/// The limits of one check: the budget of the run, with an additional limit on states. The search charges its work to
+/// this object. The object also reports progress.
 class Budget final : public diagnostics::Pollable {
 public:
     explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);
@@ -39,7 +39,7 @@ public:
     }
     /// Checks the limits of the run immediately. Throws LimitReached.
     void check() { run_.check(); }
-    /// Returns true if a limit of the run is reached, or if the run is interrupted. Checks this immediately.
+    /// Checks immediately whether a limit of the run is reached or the run is interrupted, and returns true if so.
     [[nodiscard]] bool limit_reached() { return !run_.reached_limit().empty(); }
     /// Compares the number of stored states with its limit. Throws LimitReached.
     void states(std::uint64_t count) const;

@@ -75,7 +75,7 @@ public:
     /// Expands one more pair, whose words are given. Before the call, `out` must be cleared with the number of these
     /// words. If the system throws an exception, the function removes the rows of the pair and passes the exception on.
     void expand(lts::StateView words, Expansion& out);
-    /// After this call only taus are followed.
+    /// After this call, the expander follows only taus.
     void follow_taus_alone() { taus_alone_ = true; }
 
 private:

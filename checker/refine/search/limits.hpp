@@ -30,7 +30,7 @@ struct Progress {
     double seconds = 0;                ///< since the phase began
 };
 
-/// The limits of one check: those of the run, and additional ones. If a limit is reached, the result is
+/// The limits of one check: the limits of the run, and additional limits. If a limit is reached, the result is
 /// Outcome::inconclusive, never a wrong answer.
 struct Limits : diagnostics::Limits {
     std::uint64_t max_states = 500'000'000;
@@ -48,8 +48,8 @@ struct Limits : diagnostics::Limits {
     /// With `reduction`: decides questions that a search has not decided after some time (verdict/symbolic_stage.hpp).
     /// If it is null, the search decides alone. Verdicts do not depend on it.
     SymbolicStage* symbolic = nullptr;
-    /// Returns an object. During the lifetime of this object, the program is not killed, even if a limit or an
-    /// interrupt should end it. Several threads may call the function. It may be empty.
+    /// Returns an object. During the lifetime of this object, the program does not end, even at a limit or an
+    /// interrupt. Several threads may call this function. The function may be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
     /// Receives progress a few times a second, in the thread that called the check.
     std::function<void(const Progress&)> progress;
@@ -70,13 +70,15 @@ struct Statistics {
     std::uint64_t states = 0;  ///< number of visited pairs (specification node, implementation state), or states
     std::uint64_t transitions = 0;
     std::uint64_t depth = 0;  ///< breadth-first level of the last state found
-    /// If a limit ended the search: no run with fewer steps than this is a violation. 0 if unknown.
+    /// If a limit ended the search: no run with fewer steps than this number is a violation. 0 if no such number is
+    /// known.
     std::uint64_t searched_steps = 0;
     bool divergence_open = false;  ///< with searched_steps: divergence was not excluded for these runs
     std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes
     double seconds = 0;
-    std::uint64_t chased = 0;  ///< number of skipped states, from which a confluent step was followed
-    /// Greatest number of equal components whose exchange leads to no further state; 0 if there are none.
+    std::uint64_t chased = 0;  ///< number of states that were omitted by following confluent steps
+    /// Size of the largest set of interchangeable components (replicas), of whose permuted states the search stores
+    /// only one; 0 if there is no such set.
     std::uint64_t replicas = 0;
     /// Number of equal components that the assertion distinguishes, which prevents the reduction by symmetry.
     std::uint64_t distinguished = 0;

@@ -23,7 +23,7 @@ public:
 
     virtual ~Monitor() = default;
     virtual Node start() = 0;
-    /// Returns the effect of an event in this node. It must return the same answer every time.
+    /// Returns the effect of an event in this node. Every call with the same arguments must return the same effect.
     virtual Advance advance(Node node, process::Event event) = 0;
     /// Returns the fault of a run that ends in this node and can continue with this offer. If the state is unstable,
     /// the events of the offer are unsorted. If the monitor observes only states, the offer contains one event, which

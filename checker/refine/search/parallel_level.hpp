@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expands and enters a part of a wide level with several threads. The result is the same as with one thread.
+// Expands a part of a wide level with several threads, and enters the states found. The result is the same as with one
+// thread.
 //
 // The pairs are divided into blocks. A thread expands pairs of a block, and looks up their targets in the shared table
 // while the targets are in its processor cache. New states get provisional numbers in the order of blocks and rows. If
 // several threads find the same state, the smallest provisional number wins. When all blocks are done, the new states
-// of each block are counted, which gives the first final number of each block. Then the states are entered with their
-// final numbers. So states have the same numbers and the same parents for any number of threads. (Laarman, van de Pol
-// and Weber, FMCAD 2010, share a table between threads in this way, but do not number states.)
+// of each block are counted. These counts determine the first final number of each block. Then the threads enter the
+// states with their final numbers. So states have the same numbers and the same parents for any number of threads.
+// (Laarman, van de Pol and Weber, FMCAD 2010, share a table between threads in this way, but do not number states.)
 #pragma once
 
 #include <atomic>
@@ -40,7 +41,7 @@ public:
     /// `pairs_at_once` pairs, or all up to the end.
     [[nodiscard]] bool has_stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
-    /// After this call only taus are followed.
+    /// After this call, all threads follow only taus.
     void follow_taus_alone();
 
     /// The results of blocks of pairs, in order.

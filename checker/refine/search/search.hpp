@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Searches pairs breadth first. A pair consists of a state of the system and a node of a monitor, which observes the
-// runs of the system. States are expanded in the order of discovery. So the first finding has a shortest run and is the
-// same every time.
+// runs of the system. States are expanded in the order of discovery. So the first violation that the search finds has a
+// shortest run, and every search finds the same violation first.
 #pragma once
 
 #include <limits>
@@ -40,14 +40,16 @@ public:
     ~Search();
 
     /// Returns the violation with the shortest run, or no value if all pairs have been visited. Among runs of the same
-    /// length, a state's fault comes before a forbidden event. Throws LimitReached. If the shortest run of a pair has
-    /// `events_until` steps or more, only taus are followed from the pair. This suffices to find the first pair on a
-    /// cycle of taus if that pair is known to be reached in `events_until` steps.
+    /// length, a state's fault comes before a forbidden event. Throws LimitReached. If the shortest run to a pair has
+    /// `events_until` steps or more, the search follows only taus from this pair. This restriction is correct if the
+    /// search looks for the first pair on a cycle of taus, and a run of `events_until` steps is known to lead to that
+    /// pair.
     std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
     /// Returns the first pair on a tau cycle. Call it after a search that noted taus and found no violation. After a
     /// search that reached the limit of states, it returns the first pair on a cycle that consists of visited pairs.
     std::optional<lts::StateIndex> first_tau_cycle();
-    /// Returns a shortest cycle of taus through the pair as a list of pairs. The last of them is the pair itself.
+    /// Returns a shortest cycle of taus through the pair as a list of pairs. The last pair of the list is the given
+    /// pair.
     std::vector<lts::StateIndex> tau_cycle(lts::StateIndex pair);
 
     /// Returns the pairs on the run by which the pair was found.

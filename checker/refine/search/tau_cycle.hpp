@@ -12,7 +12,7 @@ namespace robochart::refine {
 using lts::GraphView;
 
 /// Collects the targets of edges that do not lead forward. An edge leads forward if its target has a higher number than
-/// its source. Every cycle contains an edge that does not.
+/// its source. Every cycle contains an edge that does not lead forward.
 class BackTargets {
 public:
     void note_tau(lts::StateIndex from, lts::StateIndex to) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A team of threads that repeatedly execute a task together. Between two tasks a thread first polls for a moment and
-// then sleeps, because waking a sleeping thread takes longer.
+// A team of threads that repeatedly execute a task together. Between two tasks, a thread first polls for a moment and
+// only then sleeps, because waking a sleeping thread takes time.
 #pragma once
 
 #include <atomic>

@@ -12,16 +12,17 @@
 
 namespace robochart::refine {
 
-/// The findings of an earlier search of the same systems. If the pointer is null, they are neither used nor stored. If
-/// there is a value, it replaces the search: its violation is confirmed and reported like that of a search. If there is
-/// no value, it receives the findings of this search when the search is complete.
+/// The findings of an earlier search of the same systems. If the pointer is null, no findings are used or stored. If it
+/// points to a value, this value replaces the search: its violation is confirmed and reported like the violation of a
+/// search. If it points to an empty optional, the optional receives the findings of this search when the search is
+/// complete.
 using Earlier = std::optional<Findings>*;
 
 /// Checks specification [M= implementation. Both systems must share one EventTable.
 [[nodiscard]] Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
                               const Limits&, Earlier earlier = nullptr);
-/// Checks :[deadlock free [M]]. M is failures, where divergence is ignored, or failures_divergences, where a divergence
-/// violates the assertion. A terminated process counts as deadlocked, as in FDR.
+/// Checks :[deadlock free [M]]. If M is `failures`, the check ignores divergence. If M is `failures_divergences`, a
+/// divergence violates the assertion. A terminated process counts as deadlocked, as in FDR.
 [[nodiscard]] Verdict deadlock_free(lts::TransitionSystem&, Model, const Limits&, Earlier earlier = nullptr);
 [[nodiscard]] Verdict divergence_free(lts::TransitionSystem&, const Limits&, Earlier earlier = nullptr);
 [[nodiscard]] Verdict deterministic(lts::TransitionSystem&, Model, const Limits&, Earlier earlier = nullptr);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explores a specification so that an external choice whose operands have taus is a single state. The operands resolve
-// their taus independently of each other. So the taus of n operands with d states each lead to d^n states, but all that
-// refinement needs to know about these states follows from the operands alone (UCS 9.2, the rules of []; Roscoe, The
-// Theory and Practice of Concurrency, 1998, 8.2 to 8.4, for the resulting equations in T, N and F):
+// their taus independently of each other. So the taus of n operands with d states each lead to d^n states. However, the
+// operands alone determine everything that refinement needs to know about these states (UCS 9.2, the rules of [];
+// Roscoe, The Theory and Practice of Concurrency, 1998, 8.2 to 8.4, for the resulting equations in T, N and F):
 //
 //   1. The states that taus reach from P1 [] ... [] Pn are the choices Q1 [] ... [] Qn in which taus lead from each Pi
 //      to Qi, because a tau of one operand changes only this operand.
@@ -46,8 +46,8 @@ public:
     std::span<const Edge> edges(lts::StateIndex state);
     /// Returns the transitions with one event. The result is valid until the next call.
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
-    /// Returns the minimal acceptances of the state. For a whole choice, they are those of all states that its taus
-    /// reach. The result is empty if none of these states is stable.
+    /// Returns the minimal acceptances of the state. For a whole choice, these are the minimal acceptances of all
+    /// states that its taus reach. The result is empty if none of these states is stable.
     std::vector<process::EventSet> acceptances(lts::StateIndex state);
     /// Returns the taus of the state; for a whole choice, returns taus to its operands. The state diverges iff an
     /// infinite path of these transitions begins in it. The result is valid until the next call.
@@ -65,7 +65,7 @@ private:
         std::vector<Edge> operands;  ///< taus to the operands
         std::vector<Edge> edges;     ///< sorted, without duplicates
         std::optional<std::vector<process::EventSet>> acceptances;
-        int nesting = 1;  ///< how many whole choices are inside each other at most, including this one
+        int nesting = 1;  ///< maximal nesting depth of whole choices, including this one
     };
     enum class Form : std::uint8_t { unknown, being_examined, resolved, whole };
     class Depth;

@@ -19,8 +19,8 @@ public:
     /// Returns true if two conditions hold for the exchanged events. First, an event and its image lead from each node
     /// of the normal form to the same node. Second, except in the traces model, the image of each acceptance of a node
     /// is also an acceptance of the node. Then a state of an implementation violates a node if and only if its images
-    /// do. Returns false if there are more than 10,000 nodes, or after an evaluation error, which the search may never
-    /// reach.
+    /// do. Returns false if there are more than 10,000 nodes, or if the evaluation fails. (The search may never reach
+    /// the term whose evaluation fails.)
     bool holds_for(const lts::EventPermutation& exchange);
 
 private:

@@ -7,7 +7,7 @@
 //   answers/           the results of the decided assertions
 //   search-HEX/        the levels and checkpoints of a search of an assertion that is not decided
 //
-// Another run that checks the same assertions in the same order continues from there.
+// Another run that checks the same assertions in the same order can continue from this folder.
 #pragma once
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Defines searches by levels (levels/level_search.hpp). They replace the ordinary search if there are several ranks or
-// if rows are stored in files. Limits::by_levels selects the strategy. The query consists of data, so that it can be
-// sent to other programs.
+// if rows are stored in files. Limits::by_levels selects the strategy. A query consists only of data, so that one
+// program can send it to another program.
 #pragma once
 
 #include <limits>
@@ -36,10 +36,10 @@ struct LevelQuestion {
 
 [[nodiscard]] std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question);
 
-/// Takes part in a search as one rank; all ranks must call this function. The statistics are added even if a limit ends
-/// the search. If a rank cannot create its row store, all ranks leave the search together (SharedWork). If rows are
-/// stored in files, the function returns when no rank has such a file open. The first rank holds Limits::undisturbed
-/// while it waits.
+/// Takes part in a search as one rank. All ranks must call this function. The function adds the statistics even if a
+/// limit ends the search. If a rank cannot create its row store, all ranks leave the search together (SharedWork). If
+/// rows are stored in files, the function returns when no rank has such a file open. The first rank holds
+/// Limits::undisturbed while it waits.
 std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics);
 
@@ -47,9 +47,9 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
 /// supports only one thread.
 [[nodiscard]] unsigned threads_for(const lts::TransitionSystem& system, unsigned limit);
 
-/// Takes part in a search as one program; all ranks of `programs` must call this function. The program's threads are
-/// ranks (as_ranks); the first of them is the caller's thread. Each thread has its own rows. The first thread uses
-/// `budget` and `statistics`. The other threads have the same limits and report no progress.
+/// Takes part in a search as one program. All ranks of `programs` must call this function. The threads of the program
+/// are ranks (as_ranks), and the caller's thread is the first of these ranks. Each thread stores its own rows. The
+/// first thread uses `budget` and `statistics`. The other threads have the same limits and report no progress.
 std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
                                            const LevelQuestion& question, Budget& budget, Statistics& statistics);
 
@@ -63,17 +63,18 @@ public:
     /// Announces the next assertion before anything is computed for it.
     virtual void begin_question(const std::string& /*text*/) {}
     /// Identifies the assertion to which the following searches belong. The digest covers everything on which the
-    /// answer depends. It has no value if it is unknown, or if the states of the processes differ between runs.
+    /// answer depends. There is no digest if these data are unknown, or if the states of the processes differ between
+    /// runs.
     virtual void identify_question(const std::optional<diagnostics::Digest>& /*digest*/) {}
     /// Ends the current assertion. `decided`: whether the assertion has an answer.
     virtual void end_question(bool /*decided*/) {}
-    /// Called after the last assertion, unless some assertion was omitted.
+    /// The command calls this function after the last assertion, unless it has omitted some assertion.
     virtual void all_asked() {}
     /// Returns the cache for the answers of searches by levels, or null if there is none. These answers have a separate
     /// cache, because their statistics differ from those of other searches.
     [[nodiscard]] virtual diagnostics::Cache* answers() { return nullptr; }
-    /// Searches the system and returns the violation found. Throws LimitReached. If the system cannot be searched in
-    /// this way, the exception contains the reason.
+    /// Searches the system and returns the violation found. Throws LimitReached. If the system does not support
+    /// searches by levels, the exception contains the reason.
     virtual std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question,
                                             Budget& budget, Statistics& statistics) = 0;
 };

@@ -43,8 +43,8 @@ private:
     std::vector<const std::vector<process::EventSet>*> acceptances_;
 };
 
-/// Observes only which states are reachable. It is used for deadlock (a state without transitions), and for divergence
-/// alone.
+/// Observes only which states are reachable. The check for deadlock (a state without transitions) uses this monitor,
+/// and so does the check for divergence alone.
 class StateMonitor final : public Monitor {
 public:
     explicit StateMonitor(bool forbid_deadlock) : forbid_deadlock_(forbid_deadlock) {}

@@ -12,12 +12,13 @@
 
 namespace robochart::refine {
 
-/// Runs the check. If a limit is reached or memory is exhausted, the verdict is inconclusive. Other exceptions are
-/// passed on. The systems, too, poll the limits during long work.
+/// Runs the check. If a limit is reached or memory is exhausted, the verdict is inconclusive. The function passes on
+/// all other exceptions. The systems also poll the limits during long work.
 [[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                              const std::function<void(Budget&, Verdict&)>& question);
 
-/// Returns the violation of an earlier search if it is known. Otherwise runs the search and stores its result.
+/// Returns the violation that an earlier search has found, if there are findings of an earlier search. Otherwise runs
+/// the search and stores its result.
 [[nodiscard]] std::optional<Violation> reuse_or_search(Earlier earlier, Verdict& verdict,
                                                        const std::function<std::optional<Violation>()>& search);
 

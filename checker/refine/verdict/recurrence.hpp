@@ -7,17 +7,16 @@
 
 namespace robochart::refine {
 
-/// Checks that from every reachable state some run leads to a state in which an event of `goal` can happen. `goal` must
-/// be ascending and must not contain tau. If the check fails, the counterexample is a run to a state from which no such
-/// run exists (ViolationKind::no_return). Among the searched states, this state is one of those nearest to the initial
-/// state.
+/// Checks that every reachable state has a run to a state in which an event of `goal` can happen. `goal` must be
+/// ascending and must not contain tau. If the check fails, the counterexample is a run to a state from which no such
+/// run exists (ViolationKind::no_return). No other searched state without such a run is nearer to the initial state.
 ///
 /// The algorithm explores all states, marks those in which an event of the goal is possible, and then marks backwards
 /// the states that lead to marked states. It takes linear time in the number of states and transitions. With reduction,
-/// states from which a confluent tau is followed are left out. If every exchange of replicas maps the goal to itself,
-/// one state represents all its images. Both reductions preserve the answer: a state and its representative are
-/// branching bisimilar, or images of each other (docs/search.md), so they have runs to the same events, or to images of
-/// these events.
+/// the algorithm omits states from which it follows a confluent tau. If every exchange of replicas maps the goal to
+/// itself, one state represents all its images. Both reductions preserve the answer: a state and its representative are
+/// branching bisimilar, or they are images of each other (docs/search.md). So they have runs to the same events, or to
+/// images of these events.
 ///
 /// About fairness: consider a Markov chain on the same finite set of states in which each transition has positive
 /// probability. In this chain the events happen infinitely often with probability 1 if and only if they always can

@@ -15,12 +15,12 @@ namespace robochart::refine {
 
 /// A query about a system, with the facts about the query that the reductions need.
 struct SearchQuestion {
-    /// Searches for a violation in a system. If `known` is given, it is a violation of the whole system, and the
-    /// function searches for a shortest violation.
+    /// Searches for a violation in a system. If `known` is not null, it points to a violation of the whole system, and
+    /// the function searches for a shortest violation.
     std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&, const Violation* known)>
         search;
-    /// Returns whether a state has the same answer as its images, if automorphisms exchange these events. It is called
-    /// with exchanges of at least two events.
+    /// Returns whether a state has the same answer as its images if automorphisms exchange these events. The argument
+    /// contains exchanges of at least two events.
     std::function<bool(const lts::EventPermutation&)> indifferent;
     /// Whether to search for a shortest run in the whole system after a run has been found in its reduced form.
     bool shortest = true;
@@ -32,8 +32,8 @@ struct SearchQuestion {
 };
 
 /// Searches the reduced form of the system if the limits allow it and a reduced form exists. Otherwise searches the
-/// system itself. The statistics are those of this search. The returned violation is always a violation of the system.
-/// It is a shortest one unless a limit ends the search for it.
+/// system itself. The statistics describe this first search. The returned violation is always a violation of the system
+/// itself. It is a shortest violation, unless a limit ends the search for a shortest violation.
 [[nodiscard]] std::optional<Violation> search_reduced(lts::TransitionSystem& system, Budget& budget,
                                                       Statistics& statistics, const SearchQuestion& question);
 

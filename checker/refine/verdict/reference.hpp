@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the violation of a compiled process again in the terms from which the process was compiled, so that the two
-// engines check each other. If the terms do not have the violation, this is an internal error, and std::logic_error is
-// thrown.
+// engines check each other. If the terms do not have the violation, there is an internal error, and the functions throw
+// std::logic_error.
 #pragma once
 
 #include <functional>
@@ -23,11 +23,11 @@ struct Confirmed {
 /// A function that confirms a violation of a system, or throws std::logic_error.
 using Judge = std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>;
 
-/// Replays the violation in the system and, if the system has a reference, in the reference. Then the violation of the
-/// reference is returned. `judge` is one of the confirm functions of replay.hpp; its argument is the system to which
-/// the states of the runs belong. If the search in the reference takes too long, returns the violation of the system
-/// before minimisation, in which hidden events have the right names. Returns the violation of the system itself if
-/// there is no finer system, or if its computation takes too long.
+/// Replays the violation in the system. If the system has a reference, also replays it in the reference and returns the
+/// violation of the reference. `judge` is one of the confirm functions of replay.hpp; its argument is the system to
+/// which the states of the runs belong. If the search in the reference takes too long, returns the violation of the
+/// system before minimisation (the finer system), because hidden events have the right names there. If there is no
+/// finer system, or if the computation of the finer system takes too long, returns the violation of the system itself.
 [[nodiscard]] Confirmed confirm_violation(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
                                           const Judge& judge);
 

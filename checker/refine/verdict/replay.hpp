@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays counterexamples before they are reported. A replay repeats the run step by step and checks the violation
-// against a plain powerset of the specification along the trace of the run. It is slow and close to the definitions,
-// and uses no data of the search. A mismatch is an internal error and throws std::logic_error.
+// Replays counterexamples before they are reported. A replay repeats the run step by step. It checks the violation
+// against the set of specification states after the trace of the run, which it computes by a plain powerset
+// construction. A replay is slow, follows the definitions closely, and uses no data of the search. A mismatch is an
+// internal error and throws std::logic_error.
 #pragma once
 
 #include "checker/refine/search/budget.hpp"

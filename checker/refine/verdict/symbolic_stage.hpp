@@ -15,10 +15,11 @@ namespace robochart::refine {
 /// Describes what must not be reachable.
 struct SymbolicQuestion {
     bool deadlock = false;    ///< a state without transitions
-    bool divergence = false;  ///< a cycle of taus; with a specification: before the specification diverges
-    /// If this is not null, two faults must not be reachable: an event that this process does not allow after the same
-    /// trace and, except in the traces model, a refusal that it does not allow. In the failures-divergences model, runs
-    /// on which the specification diverges are ignored.
+    bool divergence = false;  ///< a cycle of taus; with a specification, only a cycle before the specification diverges
+    /// If this is not null, two faults must not be reachable. The first fault is an event that the specification does
+    /// not allow after the same trace. The second fault (except in the traces model) is a refusal that the
+    /// specification does not allow. In the failures-divergences model, the stage ignores runs on which the
+    /// specification diverges.
     lts::TransitionSystem* specification = nullptr;
     Model model = Model::traces;  ///< used with a specification
     friend bool operator==(const SymbolicQuestion&, const SymbolicQuestion&) = default;

@@ -25,9 +25,9 @@ struct Reduction {
 [[nodiscard]] Violation unfold_violation(lts::TransitionSystem& system, const Reduction& reduction,
                                          const Violation& shown);
 
-/// Converts a violation of a minimised system to a violation of the system before its minimisation, with the names of
-/// hidden events there. Returns no value if the finer system does not have the run, which would be an error of the
-/// minimisation.
+/// Converts a violation of a minimised system to a violation of the finer system, that is, the system before its
+/// minimisation. The result has the names of hidden events in the finer system. Returns no value if the finer system
+/// does not have the run. (Then the minimisation is wrong.)
 [[nodiscard]] std::optional<Violation> refine_violation(lts::FinerSystem& finer, const Violation& shown,
                                                         Budget& budget);
 

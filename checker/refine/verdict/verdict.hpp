@@ -32,22 +32,23 @@ struct Counterexample {
     std::vector<Step> steps;  ///< run of the implementation, which includes taus
     std::string initial;      ///< describe() of the initial state
     /// For refusal, deadlock and nondeterminism: the least acceptance of the last state. If the state can terminate,
-    /// this contains only ✓.
+    /// this set contains only ✓.
     std::vector<process::Event> offered;
-    /// For a refusal: the minimal acceptances of the specification; there are none if it has no stable state. For a
-    /// forbidden event: one set with the events that the specification allows.
+    /// For a refusal: the minimal acceptances of the specification. The list is empty if the specification has no
+    /// stable state after the trace. For a forbidden event: one set, which contains the events that the specification
+    /// allows.
     std::vector<process::EventSet> required;
     std::vector<Step> loop;               ///< divergence: the loop of taus
     std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the forbidden event
-    /// For nondeterminism: another run with the same events, followed by the event that this run refuses. It is empty
-    /// if a limit ended the search for it.
+    /// For nondeterminism: another run with the same events, followed by the event that this run refuses. The list is
+    /// empty if a limit ended the search for the other run.
     std::vector<Step> accepting;
     std::string accepting_initial;  ///< describe() of its initial state
-    /// The terms of the states: of the initial state and the states after the steps, of the loop, and of the accepting
-    /// run. They are empty if states are not terms.
+    /// The terms of the initial state and of the states after the steps, the terms of the loop, and the terms of the
+    /// accepting run. These lists are empty if states are not terms.
     std::vector<process::TermId> terms, loop_terms, accepting_terms;
     /// True if the operational semantics of terms has replayed the run. Otherwise only the compiled rules have replayed
-    /// it, because there were too many terms or none.
+    /// the run, because there were too many terms or no terms.
     bool replayed_by_terms = false;
     /// True if the run is known to be a shortest one. False if a limit ended the search for a shorter run
     /// (docs/search.md, "Confluent taus").
