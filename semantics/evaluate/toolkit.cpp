@@ -249,7 +249,11 @@ void add_sequences(Table& t) {
     t[p + "front"] = {[](Arguments a, CarrierList) { return slice_of(a[0], 0, a[0].parts.size() - 1); }, {}, true};
     t[p + "squash"] = {[](Arguments a, CarrierList) { return squash_sequence(a[0]); }};
     t[p + "extract"] = {[](Arguments a, CarrierList) {
-        return squash_sequence(filter_set(pairs_of(a[1]), [&](const Value& q) { return is_part(a[0], first_of(q)); }));
+        Value result;
+        for (const Value& place : a[0].parts)  // ascending
+            if (place.number >= 1 && place.number <= static_cast<std::int64_t>(a[1].parts.size()))
+                result.parts.push_back(a[1].parts[static_cast<std::size_t>(place.number - 1)]);
+        return result;
     }};
     t[p + "filter"] = {
         [](Arguments a, CarrierList) { return filter_set(a[0], [&](const Value& x) { return is_part(a[1], x); }); }};
