@@ -116,7 +116,7 @@ private:
 
 class Look {
 public:
-    explicit Look(const ir::System& system) : system_(system) {}
+    Look(const ir::System& system, const std::set<const ir::Expr*>& decided) : system_(system), decided_(decided) {}
 
     void visit_machine(const ir::Machine& machine) {
         machine_ = &machine;
@@ -252,7 +252,7 @@ private:
 
     /// Marks a value that affects the behaviour.
     void mark_used(const ir::ExprPtr& expr) {
-        if (!expr || is_constant(*expr)) return;
+        if (!expr || is_constant(*expr) || decided_.contains(expr.get())) return;
         if (const auto operands = compared_operands(system_, *expr))
             return mark_compared(*operands->held, NumberUse::compared);
         if (const auto comparison = sum_comparison(system_, *expr)) return mark_related(*comparison);
@@ -362,6 +362,7 @@ private:
     }
 
     const ir::System& system_;
+    const std::set<const ir::Expr*>& decided_;
     const ir::Machine* machine_ = nullptr;
 };
 
@@ -421,8 +422,9 @@ NumberUse DataIndependence::use_of(ir::TypeKind kind) const {
     return kind == ir::TypeKind::real ? real : NumberUse::computed;
 }
 
-DataIndependence data_independence(const ir::System& system, const std::vector<ir::MachineId>& machines) {
-    Look look(system);
+DataIndependence data_independence(const ir::System& system, const std::vector<ir::MachineId>& machines,
+                                   const std::set<const ir::Expr*>& decided) {
+    Look look(system, decided);
     for (const ir::MachineId id : machines) look.visit_machine(system.machine(id));
     return look.result;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "semantics/ir/ir.hpp"
@@ -62,8 +63,10 @@ struct SumComparison {
 /// A comparison that subtracts naturals is not such a comparison, because the result may not be a natural.
 [[nodiscard]] std::optional<SumComparison> sum_comparison(const ir::System&, const ir::Expr&);
 
-/// Analyses these machines and operations together.
-[[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&);
+/// Analyses these machines and operations together. Ignores the comparisons in `decided`, whose answers do not depend
+/// on numbers of the carriers.
+[[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&,
+                                                 const std::set<const ir::Expr*>& decided = {});
 
 /// Returns whether the two types are the same. Declared types are compared by name, and other types by structure.
 [[nodiscard]] bool same_type(const ir::System&, ir::TypeId, ir::TypeId);

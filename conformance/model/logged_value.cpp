@@ -371,7 +371,24 @@ std::optional<ir::Value> ValueReader::replacement_value(const LoggedPart& part, 
     return value;
 }
 
+const SequenceTests* ValueReader::sequence_tests() const {
+    const auto found = numbers_.sequences.types.find(type_.index);
+    return found == numbers_.sequences.types.end() ? nullptr : &found->second;
+}
+
+std::optional<std::int64_t> ValueReader::sequence_index(const SequenceTests& tests, const LoggedPart& sequence) const {
+    std::vector<double> items;
+    for (const LoggedPart& item : sequence.parts) {
+        const double unit = item.kind == TypeKind::real ? static_cast<double>(instantiation_->scale) : 1;
+        items.push_back(item.outside.empty() ? static_cast<double>(item.number) / unit : item.value);
+    }
+    const auto found = tests.sequences.find(tests.signs_at(items));
+    if (found == tests.sequences.end()) return std::nullopt;
+    return places_.at(found->second);
+}
+
 std::optional<std::int64_t> ValueReader::carrier_index(const LoggedPart& whole, std::uint64_t salt) const {
+    if (const SequenceTests* const tests = sequence_tests()) return sequence_index(*tests, whole);
     const auto value = replacement_value(whole, salt);
     if (!value) return std::nullopt;
     if (!composed_) return value->number;
@@ -391,7 +408,7 @@ LoggedValue ValueReader::read_value(std::string_view text) const {
     LoggedValue result;
     result.whole = ValueParser(*system_, *instantiation_, numbers_, reading_, text).parse_whole(type_);
     const bool inside = all_inside(result.whole);
-    if (inside) result.number = carrier_index(result.whole, 0);
+    if (inside || sequence_tests() != nullptr) result.number = carrier_index(result.whole, 0);
     if (result.number) return result;
     result.text = composed_ ? std::string(text) : result.whole.outside;
     // A value that is outside for another reason, such as a sequence that is too long, cannot be replaced.

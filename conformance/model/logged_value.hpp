@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "conformance/model/data_independence.hpp"
+#include "conformance/model/tested_sequences.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -80,6 +81,7 @@ struct TestedNumbers {
     std::map<ir::TypeKind, ComparedConstants> constants;
     std::vector<double> literals;  ///< the literals and constants of the component, ascending
     std::vector<ComparedSums> sums;
+    TestedSequences sequences;
     NumberCodes codes;  ///< of a log whose numbers are in the carriers (conformance/traces/logged_numbers.hpp)
 };
 
@@ -105,6 +107,9 @@ private:
     [[nodiscard]] Answers answers_for(ir::TypeKind, double) const;
     /// Returns the index of the value in the carrier. Numbers outside their carriers are replaced.
     [[nodiscard]] std::optional<std::int64_t> carrier_index(const LoggedPart&, std::uint64_t salt) const;
+    /// Returns the index of the sequence that represents a tested sequence.
+    [[nodiscard]] std::optional<std::int64_t> sequence_index(const SequenceTests&, const LoggedPart&) const;
+    [[nodiscard]] const SequenceTests* sequence_tests() const;
 
     [[nodiscard]] std::optional<std::int64_t> replacement_number(const LoggedPart&, std::uint64_t salt) const;
     [[nodiscard]] std::optional<ir::Value> replacement_value(const LoggedPart&, std::uint64_t salt) const;

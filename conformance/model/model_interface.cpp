@@ -28,7 +28,8 @@ public:
         TestedNumbers found;
         std::vector<ir::MachineId> machines;
         for (const cpp_emit::Unit& unit : component_.units) machines.push_back(unit.id);
-        found.uses = data_independence(system_, machines);
+        found.sequences = tested_sequences(system_, instantiation_, component_);
+        found.uses = data_independence(system_, machines, found.sequences.comparisons);
         for (const cpp_emit::Unit& unit : component_.units)
             ir::visit_expressions(*unit.machine, [&](const ir::Expr& root, ir::ExprRole) {
                 ir::visit_operands(root, [&](const ir::Expr& expr) { collect_constant(unit, expr, found); });

@@ -9,6 +9,9 @@
 
 #include "base/diagnostics/containers.hpp"
 #include "conformance/model/model_interface.hpp"
+#include "conformance/model/tested_sequences.hpp"
+#include "cpp_emit/plan/resolve_component.hpp"
+#include "semantics/ir/number_parts.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::conformance {
@@ -43,6 +46,30 @@ ir::Value value_in_finer_units(const ir::System& system, ir::TypeId id, ir::Valu
         }
     }
     return value;
+}
+
+/// The instantiation with one sequence of each class, if the component only stores and tests the sequences that it
+/// receives (conformance/model/tested_sequences.hpp).
+ir::Instantiation with_sequences(const ir::System& system, const ir::Instantiation& instantiation,
+                                 const ir::ComponentRef& ref) {
+    diagnostics::Diagnostics quiet;
+    const auto component = cpp_emit::resolve_component(system, instantiation, ref, quiet);
+    if (!component) return instantiation;
+    const auto model = model_of_sequences(system, instantiation, *component);
+    if (!model || model->scale % instantiation.scale != 0) return instantiation;
+    ir::Instantiation result = in_finer_units(system, instantiation, model->scale / instantiation.scale);
+    for (const ir::ExploredValues& type : model->types) {
+        if (!ir::is_number_sequence(system, type.type)) continue;
+        std::vector<ir::Value> values;
+        for (const auto& numbers : type.values) {
+            ir::Value& value = values.emplace_back();
+            for (const std::int64_t number : numbers) value.parts.push_back({number, {}});
+        }
+        diagnostics::sort_unique(values);
+        for (std::uint32_t other = 0; other < system.types.size(); ++other)
+            if (same_type(system, type.type, ir::TypeId{other})) result.representatives[other] = values;
+    }
+    return result;
 }
 
 /// Returns numbers between each two neighbours of `ends`, and beyond the first and the last.
@@ -89,14 +116,18 @@ ir::Instantiation in_finer_units(const ir::System& system, const ir::Instantiati
         if (value != result.constants.end())
             value->second = value_in_finer_units(system, constant.type, value->second, factor);
     }
+    for (auto& [type, values] : result.representatives)
+        for (ir::Value& value : values)
+            value = value_in_finer_units(system, ir::TypeId{type}, std::move(value), factor);
     return result;
 }
 
 ir::Instantiation with_more_numbers(const ir::System& system, const ir::Instantiation& instantiation,
                                     const ir::ComponentRef& component) {
-    const auto numbers = tested_numbers(system, instantiation, component);
+    const ir::Instantiation sequences = with_sequences(system, instantiation, component);
+    const auto numbers = tested_numbers(system, sequences, component);
     if (!numbers) return instantiation;
-    ir::Instantiation result = between_constants(system, instantiation, *numbers);
+    ir::Instantiation result = between_constants(system, sequences, *numbers);
     const auto adds = [](const ComparedSums& sums) { return sums.left.size() > 1 || sums.right.size() > 1; };
     const DataIndependence& uses = numbers->uses;
     const bool computes = std::ranges::max({uses.nat, uses.integer, uses.real}) == NumberUse::computed;

@@ -295,6 +295,8 @@ private:
 
     /// Adds the numbers that the component compares with each other to the report.
     void collect_numbers(const LoggedPart& part) {
+        const bool sequence = part.kind == ir::TypeKind::sequence;
+        if (sequence && !model_.boundary().numbers.sequences.types.empty()) return;  // they have classes
         for (const LoggedPart& inner : part.parts) collect_numbers(inner);
         if (model_.boundary().numbers.uses.use_of(part.kind) != NumberUse::related) return;
         std::set<double>& numbers = report_.numbers[part.kind];

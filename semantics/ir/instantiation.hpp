@@ -51,8 +51,8 @@ struct Instantiation {
     /// model.
     std::map<std::string, Value> constants;
     /// Composed types for which only some values are considered. Maps the index of the type to these values, in
-    /// ascending order. Only the conformance check uses this map, for components that pass on such values without
-    /// reading them (conformance/model/representatives.hpp).
+    /// ascending order. Only conformance uses this map, for values that components only pass on
+    /// (conformance/model/representatives.hpp), and for classes of sequences (conformance/model/tested_sequences.hpp).
     std::map<std::uint32_t, std::vector<Value>> representatives;
     /// The limits on time and memory. Code that iterates over carriers or evaluates expressions polls this budget.
     diagnostics::Budget* budget = nullptr;

@@ -436,6 +436,85 @@ stm M {
     EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("too many states"));
 }
 
+/// Returns a scan of `length` readings of 7.25 with one other reading.
+std::string scan_word(std::size_t length, std::size_t place, const std::string& reading) {
+    std::string text = "scan?<";
+    for (std::size_t i = 1; i <= length; ++i) text += (i > 1 ? "," : "") + (i == place ? reading : "7.25");
+    return text + ">";
+}
+
+/// The double before 0.3 is 0.29999999999999993, and the one after it is 0.30000000000000004. A float sensor measures
+/// 0.30000001192092896 for 0.3, which is greater.
+TEST(Traces, ScansAreDecidedByTheirWindows) {
+    Replay replay(test::ModelFolder(R"(
+import sequence_toolkit::*
+import set_toolkit::*
+import relation_toolkit::*
+interface Events { event scan : Seq(real) event distance : real event stop event go event clear }
+stm M {
+	uses Events
+	var s : Seq(real)
+	var d : real
+	initial i
+	state S { }
+	junction k
+	transition t0 { from i to S }
+	transition t1 { from S to k trigger scan ? s }
+	transition t2 { from k to S condition min(ran(extract([2, 3], s))) < 0.3 action stop }
+	transition t3 { from k to S condition min(ran(extract([2, 3], s))) >= 0.3 /\ min(ran(s)) < 0.5 action go }
+	transition t4 { from k to S condition min(ran(extract([2, 3], s))) >= 0.3 /\ min(ran(s)) >= 0.5 action clear }
+	transition t5 { from k to S condition size(s) < 2 }
+	transition t6 { from S to S trigger distance ? d condition d < 0.7 action stop }
+}
+)")
+                      .path(),
+                  "M");
+    const std::vector<std::pair<std::string, std::string>> expected{
+        {scan_word(360, 3, "0.29999999999999993"), "stop!"},
+        {scan_word(360, 2, "0.3"), "go!"},
+        {scan_word(360, 3, "0.30000001192092896"), "go!"},
+        {scan_word(360, 4, "0.1"), "go!"},
+        {scan_word(5000, 4999, "0.49999999999999994"), "go!"},
+        {scan_word(5000, 4999, "0.5"), "clear!"},
+        {scan_word(2, 2, "-1e300"), "stop!"},
+        {"scan?<0.1>", ""},
+        {"scan?<>", ""},
+        {"distance?0.6999", "stop!"},
+        {"distance?0.7", ""},
+    };
+    for (const auto& [input, output] : expected) {
+        SCOPED_TRACE(input.substr(0, 40) + " " + output);
+        for (const std::string other : {"", "stop!", "go!", "clear!"}) {
+            const LogReport report = replay.check_runs("run a\ntock\n" + input + " " + other + " tock\n");
+            EXPECT_EQ(report.accepted, other == output ? 1U : 0U) << other;
+            EXPECT_EQ(report.rejected, other == output ? 0U : 1U) << other;
+        }
+    }
+}
+
+/// A component that sends scans on needs them, and scans longer than those of the model leave the run undecided.
+TEST(Traces, ScansThatAreSentOnHaveNoClasses) {
+    Replay replay(test::ModelFolder(R"(
+import sequence_toolkit::*
+import set_toolkit::*
+import relation_toolkit::*
+interface Events { event scan : Seq(nat) event echo : Seq(nat) }
+stm M {
+	uses Events
+	var s : Seq(nat)
+	initial i
+	state S { }
+	transition t0 { from i to S }
+	transition t1 { from S to S trigger scan ? s condition min(ran(extract([1, 2], s))) < 1 action echo ! s }
+}
+)")
+                      .path(),
+                  "M");
+    EXPECT_EQ(replay.check_runs("run a\ntock\nscan?<0,1> echo!<0,1> tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\nscan?<0,1> echo!<0,0> tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\nscan?<0,1,1,1> echo!<0,1,1,1> tock\n").inconclusive, 1U);
+}
+
 /// 1.1 - 0.6 is 0.5, but 0.5000000000000001 in the arithmetic of double: a robot may do either. The exact answer is
 /// accepted, the other one is not rejected.
 TEST(Traces, SumsWithinTheRoundingErrorAreNotRejected) {
