@@ -162,13 +162,14 @@ void take_package_version(Options& o, const std::string& word) {
     o.code.package_given = true;
 }
 
+bool is_letter_or_digit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
 /// A licence as an SPDX expression: identifiers, `AND`, `OR`, `WITH`, brackets.
 void take_license(Options& o, const std::string& word) {
     constexpr std::string_view others = "-.+() ";
-    const auto fits = [&](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               others.find(c) != std::string_view::npos;
-    };
+    const auto fits = [&](char c) { return is_letter_or_digit(c) || others.find(c) != std::string_view::npos; };
     if (word.empty() || word.size() > 200 || !std::ranges::all_of(word, fits))
         throw UsageError(fmt::format("--license {}: expected an SPDX expression, as in Apache-2.0",
                                      diagnostics::escape_for_display(word)));
@@ -176,17 +177,36 @@ void take_license(Options& o, const std::string& word) {
     o.code.package_given = true;
 }
 
+/// Returns whether a text consists of at least one word of these characters, separated by single dots.
+bool is_dotted(std::string_view text, std::string_view others) {
+    const auto fits = [&](char c) {
+        return c == '.' || is_letter_or_digit(c) || others.find(c) != std::string_view::npos;
+    };
+    return !text.empty() && text.front() != '.' && text.back() != '.' && text.find("..") == std::string_view::npos &&
+           std::ranges::all_of(text, fits);
+}
+
+/// Returns whether the tools of ROS 2 accept an address. Their package catkin_pkg, with which `colcon` reads
+/// package.xml, demands a domain with a dot whose last part has at least two letters.
+bool is_address(std::string_view text) {
+    const std::size_t at = text.find('@'), dot = text.rfind('.');
+    if (at == std::string_view::npos || dot == std::string_view::npos || dot < at) return false;
+    const std::string_view end = text.substr(dot + 1);
+    const bool letters = std::ranges::none_of(end, [](char c) { return c == '-' || (c >= '0' && c <= '9'); });
+    return letters && end.size() >= 2 && is_dotted(text.substr(0, at), "-_+") && is_dotted(text.substr(at + 1), "-");
+}
+
 /// Stores a maintainer, given as NAME <EMAIL>.
 void take_maintainer(Options& o, const std::string& word) {
-    const std::size_t open = word.find(" <"), at = word.find('@', open == std::string::npos ? 0 : open);
-    const bool closed = open != std::string::npos && open > 0 && word.back() == '>' && at != std::string::npos &&
-                        at > open + 2 && at + 2 < word.size() && word.find(' ', open + 1) == std::string::npos;
+    const std::size_t open = word.find(" <");
+    const bool named = open != std::string::npos && open > 0 && word.back() == '>' && word.size() <= 200;
     const bool plain = std::ranges::none_of(word, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
-    if (!closed || !plain || word.size() > 200)
+    const std::string email = named ? word.substr(open + 2, word.size() - open - 3) : "";
+    if (!plain || !is_address(email))
         throw UsageError(fmt::format("--maintainer {}: expected a name and an address, as in 'Ada <ada@example.org>'",
                                      diagnostics::escape_for_display(word)));
     o.code.package.maintainer = word.substr(0, open);
-    o.code.package.email = word.substr(open + 2, word.size() - open - 3);
+    o.code.package.email = email;
     o.code.package_given = true;
 }
 

@@ -142,14 +142,22 @@ TEST_F(EmitCppMapping, KeepsTheUsersFiles) {
 }
 
 TEST_F(EmitCppMapping, RefusesFactsThatNoManifestCanHave) {
-    for (const auto& [option, word] : std::vector<std::pair<std::string, std::string>>{{"--package-version", "1.2"},
-                                                                                       {"--package-version", "1.2.x"},
-                                                                                       {"--package-version", "1..2"},
-                                                                                       {"--license", "<evil/>"},
-                                                                                       {"--license", ""},
-                                                                                       {"--maintainer", "Ada"},
-                                                                                       {"--maintainer", "Ada <ada>"},
-                                                                                       {"--maintainer", "<a@b.org>"}}) {
+    for (const auto& [option, word] :
+         std::vector<std::pair<std::string, std::string>>{{"--package-version", "1.2"},
+                                                          {"--package-version", "1.2.x"},
+                                                          {"--package-version", "1..2"},
+                                                          {"--license", "<evil/>"},
+                                                          {"--license", ""},
+                                                          {"--maintainer", "Ada"},
+                                                          {"--maintainer", "Ada <ada>"},
+                                                          {"--maintainer", "Ada <ada@localhost>"},
+                                                          {"--maintainer", "Ada <ada@b.c>"},
+                                                          {"--maintainer", "Ada <ada@b.c3>"},
+                                                          {"--maintainer", "Ada <a@a@b.org>"},
+                                                          {"--maintainer", "Ada <ada@.org>"},
+                                                          {"--maintainer", "Ada <@b.org>"},
+                                                          {"--maintainer", "Ada <a d@b.org>"},
+                                                          {"--maintainer", "<a@b.org>"}}) {
         const auto ran = emit("ros2 for M { }", {"--target", "ros2", option, word});
         EXPECT_EQ(ran.exit, 4) << option << ' ' << word;
         EXPECT_THAT(ran.err, HasSubstr(option));
