@@ -19,6 +19,10 @@ std::string written_member(const std::string& method) {
     return fmt::format("wrote_{}_", method);
 }
 
+std::string written_member(const StoredVariable& variable) {
+    return written_member(variable.once.empty() ? variable.output : variable.once);
+}
+
 std::string written_member(const Component& component, const EventUse& use) {
     return written_member(use.outlets.empty() ? to_identifier(use.once) : component.events[use.outlets.front()].output);
 }
@@ -35,7 +39,7 @@ std::vector<std::string> written_members(const Component& component) {
         for (const EventUse& use : part.events)
             if (use.sent) add(written_member(component, use));
     for (const StoredVariable& variable : component.variables)
-        if (!variable.output.empty() && !variable.copy) add(written_member(variable.output));
+        if (!variable.writer.empty()) add(written_member(variable));
     return members;
 }
 
@@ -56,7 +60,7 @@ std::string written_member(const Generation& generation, const Unit& unit, const
         return written_member(component.find_platform_call(unit, stmt.operation).method);
     if (stmt.kind != StmtKind::assign) return {};
     const StoredVariable* const stored = component.stored_variable(unit, stmt.variable);
-    return stored == nullptr || !stored->visible ? "" : written_member(stored->output);
+    return stored == nullptr || !stored->visible ? "" : written_member(*stored);
 }
 
 bool has_parallel_actions(const Component& component, const Unit& unit) {
@@ -85,8 +89,12 @@ std::string buffer_type(const Generation& generation, const Buffer& buffer) {
                        : std::string("robochart::Flag");
 }
 
-void read_events_between_machines(const Generation& generation, CodeWriter& out) {
+void read_registers_between_machines(const Generation& generation, CodeWriter& out) {
     if (!generation.component.robosim) return;
+    for (const StoredVariable& variable : generation.component.variables)
+        if (const StoredVariable* const memory = generation.component.memory_of(variable);
+            memory != nullptr && variable.local)
+            out.line(fmt::format("{}.write(state_.{});", variable.field, memory->path));
     for (const Buffer& buffer : generation.component.buffers) {
         out.line(fmt::format("latched_{0}_ = state_.{0};", buffer.field));
         if (!generation.mutation.hits(Fault::buffer_kept)) out.line(fmt::format("state_.{} = {{}};", buffer.field));

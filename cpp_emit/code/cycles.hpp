@@ -27,8 +27,9 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::string awaits_cycle(const Generation&, const Unit&, const ir::Stmt&);
 /// Returns the type of a buffer between machines.
 [[nodiscard]] std::string buffer_type(const Generation&, const Buffer&);
-/// Writes the code with which a cycle reads the events that machines sent to each other in the previous cycle.
-void read_events_between_machines(const Generation&, CodeWriter&);
+/// Writes the code with which a cycle reads the events that machines sent to each other in the previous cycle, and the
+/// variables of controllers and platforms.
+void read_registers_between_machines(const Generation&, CodeWriter&);
 /// Writes the members of Step for the ends of cycles and the written outputs.
 void write_cycle_members(const Generation&, CodeWriter&);
 

@@ -128,6 +128,9 @@ std::string ExpressionWriter::variable_member(ir::VariableId id) const {
     const Component& component = generation_.component;
     if (const EventUse* use = component.find_register(unit_, id)) return register_text(*use, id);
     if (const StoredVariable* stored = component.stored_variable(unit_, id)) {
+        const StoredVariable* const memory = component.memory_of(*stored);
+        if (memory != nullptr && stored->local && generation_.mutation.hits(Fault::cycle_read_late))
+            return "state_." + memory->path;
         if (stored->local) return stored->field + ".value";
         return stored->in_state() ? "state_." + stored->path : "";
     }

@@ -305,16 +305,28 @@ void write_platform_comment(const Generation& generation, CodeWriter& out) {
     write_platform_concept(calls, out);
 }
 
+/// Writes the function that writes a variable which others see. For RoboSim, the register of the composition and the
+/// machine's copy change.
+void write_variable(const Generation& generation, const StoredVariable& variable, CodeWriter& out) {
+    std::vector<std::string> lines;
+    if (variable.has_member())
+        lines.push_back(variable.local ? variable.field + ".write(value);"
+                                       : fmt::format("state_.{} = value;", variable.path));
+    const StoredVariable* const memory = generation.component.memory_of(variable);
+    if (memory != nullptr && memory->has_member() && !generation.mutation.hits(Fault::write_not_relayed))
+        lines.push_back(fmt::format("state_.{} = value;", memory->path));
+    if (!variable.output.empty()) lines.push_back(fmt::format("platform_.{}(value);", variable.output));
+    out.open_declaration(
+        "Shared variable " + generation.place_text(variable.variable->origin),
+        fmt::format("void {}({}{} value) noexcept {{", variable.writer, lines.empty() ? "[[maybe_unused]] " : "",
+                    cpp_type(generation.system, variable.variable->type)));
+    for (const std::string& line : lines) out.line(line);
+    out.close();
+}
+
 void write_variables(const Generation& generation, CodeWriter& out) {
-    for (const StoredVariable& variable : generation.component.variables) {
-        if (!variable.visible) continue;
-        out.open_declaration("Shared variable " + generation.place_text(variable.variable->origin),
-                             fmt::format("void {}({} value) noexcept {{", variable.writer,
-                                         cpp_type(generation.system, variable.variable->type)));
-        if (variable.has_member()) out.line(fmt::format("state_.{} = value;", variable.path));
-        out.line(fmt::format("platform_.{}(value);", variable.output));
-        out.close();
-    }
+    for (const StoredVariable& variable : generation.component.variables)
+        if (!variable.writer.empty()) write_variable(generation, variable, out);
 }
 
 /// Writes the propagation. The memories that propagate writes to the machines accept one write at a time. If a machine
@@ -387,7 +399,7 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     std::vector<std::string> late;
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty() && variable.has_member()) write_outside(generation, variable, out, late);
-    read_events_between_machines(generation, out);
+    read_registers_between_machines(generation, out);
     for (const EventPort* event : core.kept_inputs) take_kept(out, *event);
     write_drops(generation, out);
     const char* const state = generation.component.is_composed() ? "" : "state_";

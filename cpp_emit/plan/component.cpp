@@ -46,6 +46,10 @@ const StoredVariable* Component::stored_variable(const Unit& of, ir::VariableId 
     return &variables[part_of(of).variables.at(of.machine->variables[id.index].name)];
 }
 
+const StoredVariable* Component::memory_of(const StoredVariable& variable) const {
+    return variable.memory == no_memory ? nullptr : &variables[variable.memory];
+}
+
 const EventUse* Component::find_register(const Unit& of, ir::VariableId id) const {
     const ir::Input* const input = ir::event_register(*of.machine, id);
     return input == nullptr ? nullptr : find_event(Peer{of.part, input->name});

@@ -71,6 +71,7 @@ struct EventUse {
 };
 
 inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);
+inline constexpr std::size_t no_memory = static_cast<std::size_t>(-1);
 
 /// A machine that may hold up writes: no write is propagated to the machine while one of its threads waits for a
 /// communication with a deadline (semantics 3.7).
@@ -84,6 +85,9 @@ struct PropagationHolder {
 /// variable is declared outside the component, the environment propagates its writes, and a machine does not see writes
 /// of other machines before the environment passes them on. Then each machine has its own copy, and all copies receive
 /// external writes.
+///
+/// In RoboSim, a variable of a controller or platform is a register of the composition. Each machine that has the
+/// variable in its contexts has a copy. The beginning of a cycle copies the register, and a write changes both.
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
     std::size_t home = no_part;   ///< the part whose frame contains it; no_part: it is a member of State
@@ -94,13 +98,15 @@ struct StoredVariable {
     bool external = false;        ///< whether it may be written from outside: set_EXT_x
     bool read = false;            ///< whether some expression depends on it
     bool local = false;           ///< whether no later cycle reads it: a member of Step instead of State
-    bool copy = false;  ///< whether this is a copy of an earlier entry; the earlier entry has the names at the boundary
+    bool copy = false;            ///< whether this is a copy of another entry; that entry has the names at the boundary
     ir::Value initial;
-    std::string field;         ///< name of the member of the frame
-    std::string path;          ///< path in State: "x", "stm0.x"
-    std::string writer;        ///< method of Step, if visible
-    std::string input;         ///< member of Inputs, if external and read
-    std::string output;        ///< method of the platform, if visible
+    std::string field;               ///< name of the member of the frame
+    std::string path;                ///< path in State: "x", "stm0.x"
+    std::string writer;              ///< method of Step, if visible
+    std::string input;               ///< member of Inputs, if external and read
+    std::string output;              ///< method of the platform, if visible
+    std::size_t memory = no_memory;  ///< RoboSim: index of the register of the composition that this is a copy of
+    std::string once;                ///< RoboSim: the output that a cycle writes at most once, if it is not `output`
     std::size_t memories = 0;  ///< shared: number of memories between a write and the machines; each accepts one write
                                ///< at a time
     std::vector<PropagationHolder> holders;
@@ -113,7 +119,7 @@ struct StoredVariable {
     }
     /// Returns whether the variable is a member of the state or of Step. A shared variable that is never read is not a
     /// member.
-    [[nodiscard]] bool has_member() const { return read || !shared; }
+    [[nodiscard]] bool has_member() const { return read || !(shared || copy); }
     /// Returns whether the variable is a member of the state.
     [[nodiscard]] bool in_state() const { return has_member() && !local; }
 };
@@ -243,6 +249,8 @@ struct Component {
     /// Returns the variable of the machine, or the shared variable, that a unit's variable denotes. Returns null for
     /// variables of operations, whose owner is in Unit::variable_owners.
     [[nodiscard]] const StoredVariable* stored_variable(const Unit&, ir::VariableId) const;
+    /// For RoboSim: returns the register of the composition that the variable of a machine is a copy of, or null.
+    [[nodiscard]] const StoredVariable* memory_of(const StoredVariable&) const;
     /// For RoboSim: returns the input event whose register a unit's variable is, or null for other variables.
     [[nodiscard]] const EventUse* find_register(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& find_platform_call(const Unit&, ir::OperationId) const;

@@ -163,7 +163,7 @@ private:
                 report_unconnected(part, use, "connected to an event of another type");
         }
         if (use.received && use.is_spontaneous() && reads_value(index, use))
-            report_unconnected(part, use, "not connected");
+            report_unconnected(part, use, "not connected, and a condition reads its value");
     }
 
     /// Returns whether some condition depends on the value of the event.

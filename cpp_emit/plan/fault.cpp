@@ -124,6 +124,8 @@ constexpr FaultKind kinds[] = {
     {Fault::cycle_stop_hidden, "cycle_stop_hidden", "a machine that cannot end its cycle lets time pass"},
     {Fault::cycle_time_unit, "cycle_time_unit", "clocks count cycles instead of time units"},
     {Fault::cycle_end_early, "cycle_end_early", "a cycle ends after its first transition"},
+    {Fault::cycle_read_late, "cycle_read_late",
+     "a machine reads a shared variable when it uses it, not when the cycle begins"},
     {Fault::name_collision, "name_collision", "two places of a program have one name"},
     {Fault::undeclared_member, "undeclared_member", "a member of the state is not declared"},
 };

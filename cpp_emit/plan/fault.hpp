@@ -128,6 +128,7 @@ enum class Fault {
     cycle_stop_hidden,
     cycle_time_unit,
     cycle_end_early,
+    cycle_read_late,
     // code that does not compile
     name_collision,
     undeclared_member,
@@ -150,7 +151,7 @@ struct FaultKind {
 
 /// Returns whether the fault affects only code of RoboSim.
 [[nodiscard]] constexpr bool in_robosim(Fault fault) {
-    return fault >= Fault::cycle_output_again && fault <= Fault::cycle_end_early;
+    return fault >= Fault::cycle_output_again && fault <= Fault::cycle_read_late;
 }
 
 }  // namespace robochart::cpp_emit

@@ -7,6 +7,7 @@
 #include "cpp_emit/plan/connection_resolution.hpp"
 #include "cpp_emit/plan/feature_analysis.hpp"
 #include "cpp_emit/plan/liveness.hpp"
+#include "cpp_emit/plan/register_variables.hpp"
 #include "cpp_emit/plan/register_wiring.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -54,12 +55,13 @@ public:
         assert(roots_.size() == component_.parts.size() && contexts_.size() == component_.parts.size());
         number_transitions();
         if (component_.robosim) {
-            refuse_shared_registers();
             wire_registers(component_, module_, contexts(), diagnostics_);
         } else {
             wire_component(component_, system_, module_, contexts(), diagnostics_);
         }
         collect_variables();
+        if (component_.robosim && contexts_.front() != nullptr)
+            connect_variables(component_, system_, inst_, module_, contexts(), diagnostics_);
         if (!component_.robosim) find_local_variables(component_, system_);
         collect_calls();
         collect_functions();
@@ -134,24 +136,6 @@ private:
         for (std::size_t i = 0; i < module_->controllers.size(); ++i)
             add_parts(system_.controller(module_->controllers[i].controller), i, module_->controllers[i].name + "::");
         return has_parts();
-    }
-
-    /// For RoboSim: rejects variables that several machines of a controller or module share. Such a variable would be a
-    /// register of each machine and of the whole component.
-    void refuse_shared_registers() {
-        for (const Unit& unit : component_.units) {
-            if (!unit.root || contexts_[unit.part] == nullptr) continue;
-            for (std::uint32_t place = 0; place < unit.machine->variables.size(); ++place) {
-                const ir::Variable& variable = unit.machine->variables[place];
-                const bool event = ir::event_register(*unit.machine, ir::VariableId{place}) != nullptr;
-                if (variable.scope != ir::VariableScope::reg || event) continue;
-                diagnostics_.report(rules::no_component, component_.origin.span,
-                                    {component_.name, "machine '" + unit.machine->name + "' has the variable '" +
-                                                          variable.name.substr(1) +
-                                                          "' in a context; --component selects the machine alone"});
-                return;
-            }
-        }
     }
 
     void add_parts(const ir::Controller& controller, std::size_t index, const std::string& prefix) {
@@ -569,6 +553,8 @@ private:
         NameScope writers;
         taken_ = taken;
         for (auto& entry : component_.variables) name_variable(entry, state, frames, inputs, platform, writers);
+        for (auto& entry : component_.variables)
+            if (const StoredVariable* const memory = component_.memory_of(entry)) entry.output = memory->output;
         for (std::size_t index = 0; index < component_.variables.size(); ++index) find_holders(index, state, writers);
         NameScope types = core_type_scope(component_);
         for (const ir::TypeId type : component_.enumerations) types.reserve_name(declared_name(system_.type(type)));
@@ -589,22 +575,20 @@ private:
                        NameScope& platform, NameScope& writers) {
         const std::string name = entry.name();
         const bool in_part = entry.home != no_part;
-        if (entry.copy) return name_copy(entry, state, writers);
+        const std::string tag = in_part ? component_.parts[entry.home].tag + "_" : "";
+        if (entry.copy && !component_.robosim) return name_copy(entry, state, writers);
         if (entry.local) {
-            entry.field =
-                writers.unique_name("local_" + (in_part ? component_.parts[entry.home].tag + "_" : "") + name);
-            return;
-        }
-        if (entry.has_member()) {
+            entry.field = writers.unique_name("local_" + tag + name);
+        } else if (entry.has_member()) {
             entry.field = in_part ? frames[entry.home].unique_name(name) : state.unique_name(name);
             entry.path = in_part ? component_.parts[entry.home].tag + "." + entry.field : entry.field;
         }
-        if (entry.external && (component_.robosim || some_copy_read(name)))
+        if (entry.external && !entry.copy && (component_.robosim || some_copy_read(name)))
             entry.input = inputs.unique_name("external_" + name);
-        if (entry.visible) {
-            entry.output = platform.unique_name("set_" + name);
-            entry.writer = writers.unique_name("write_" + name);
-        }
+        if (!entry.visible) return;
+        if (!entry.copy) entry.output = platform.unique_name("set_" + name);
+        const bool of_machine = !component_.robosim || entry.variable->scope == ir::VariableScope::reg;
+        if (of_machine) entry.writer = writers.unique_name("write_" + tag + name);
     }
 
     /// Finds the machines that may hold up writes of the variable. If a machine has one thread and is the only writer

@@ -331,29 +331,237 @@ TEST(Robosim, FaultsOfCompositionsAreKilled) {
     expect_killed(together, 1, Fault::send_dropped);
 }
 
-TEST(Robosim, SharedVariablesOfCompositionsAreRefused) {
-    const Result result = check(R"(
-interface V { var v : boolean }
-stm A {
+/// One machine changes the platform's variable, and another one reports it. It reports the value at the beginning of
+/// the cycle, although the first machine may already have written another one.
+const char* const platform_variable = R"(
+interface V { var v : boolean = false }
+stm Writer {
+    cycleDef cycle == 1
+    input context { event flip requires V }
+    output context { event wrote : boolean requires V }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $flip action $v = not $v ; $wrote!$v ; exec }
+    transition t2 { from A to A condition not $flip action exec }
+}
+stm Reader {
     cycleDef cycle == 1
     input context { requires V }
-    output context { event lit }
+    output context { event seen : boolean }
     initial i
-    state B { }
-    transition t0 { from i to B }
-    transition t1 { from B to B condition $v action $lit ; exec }
-    transition t2 { from B to B condition not $v action exec }
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A action $seen!$v ; exec }
 }
 controller C {
     cycleDef cycle == 1
-    event lit
-    uses V
-    sref a = A
-    connection a on lit to C on lit
+    requires V
+    event flip
+    event wrote : boolean
+    sref w = Writer
+    connection C on flip to w on flip
+    connection w on wrote to C on wrote
 }
-)",
-                                1);
-    EXPECT_EQ(result.outcome, Outcome::not_generated);
+controller D {
+    cycleDef cycle == 1
+    requires V
+    event seen : boolean
+    sref r = Reader
+    connection r on seen to D on seen
+}
+module M {
+    cycleDef cycle == 1
+    robotic platform P { provides V event flip event wrote : boolean event seen : boolean }
+    cref c = C
+    cref d = D
+    connection P on flip to c on flip ( _async )
+    connection c on wrote to P on wrote ( _async )
+    connection d on seen to P on seen ( _async )
+}
+)";
+
+/// Two machines read a variable that the controller requires, and one of them writes it. The environment may write it,
+/// too.
+const char* const required_variable = R"(
+interface V { var v : boolean }
+stm Writer {
+    cycleDef cycle == 1
+    input context { event flip requires V }
+    output context { requires V }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $flip action $v = not $v ; exec }
+    transition t2 { from A to A condition not $flip action exec }
+}
+stm Reader {
+    cycleDef cycle == 1
+    input context { requires V }
+    output context { event seen : boolean }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A action $seen!$v ; exec }
+}
+controller C {
+    cycleDef cycle == 1
+    requires V
+    event flip
+    event seen : boolean
+    sref w = Writer
+    sref r = Reader
+    connection C on flip to w on flip
+    connection r on seen to C on seen
+}
+)";
+
+/// Two machines write a record of their controller, each one part of it. Both may do so in the same cycle, because the
+/// write is not an output of the controller.
+const char* const controller_variable = R"(
+datatype Pair { a : boolean b : boolean }
+interface V { var p : Pair }
+stm First {
+    cycleDef cycle == 1
+    input context { event one requires V }
+    output context { requires V }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $one action $p.a = not $p.a ; exec }
+    transition t2 { from A to A condition not $one action exec }
+}
+stm Second {
+    cycleDef cycle == 1
+    input context { event two requires V }
+    output context { requires V event seen : Pair }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $two action $p.b = not $p.b ; $seen!$p ; exec }
+    transition t2 { from A to A condition not $two action $seen!$p ; exec }
+}
+controller C {
+    cycleDef cycle == 1
+    uses V
+    event one
+    event two
+    event seen : Pair
+    sref x = First
+    sref y = Second
+    connection C on one to x on one
+    connection C on two to y on two
+    connection y on seen to C on seen
+}
+)";
+
+/// Two machines write the platform's variable in the same cycle if both inputs are present. Then the second write waits
+/// forever, because the variable is an output of the module.
+const char* const both_write = R"(
+interface V { var v : boolean }
+stm A {
+    cycleDef cycle == 1
+    input context { event go }
+    output context { requires V }
+    initial i
+    state B { }
+    transition t0 { from i to B }
+    transition t1 { from B to B condition $go action $v = true ; exec }
+    transition t2 { from B to B condition not $go action exec }
+}
+controller C {
+    cycleDef cycle == 1
+    requires V
+    event one
+    event two
+    sref x = A
+    sref y = A
+    connection C on one to x on go
+    connection C on two to y on go
+}
+module M {
+    cycleDef cycle == 1
+    robotic platform P { var v : boolean event one event two }
+    cref c = C
+    connection P on one to c on one ( _async )
+    connection P on two to c on two ( _async )
+}
+)";
+
+/// The platform has no variable `v`: the controller reads arbitrary values and writes in vain, but at most once in a
+/// cycle.
+const char* const unconnected_variable = R"(
+interface V { var v : boolean }
+stm Reader {
+    cycleDef cycle == 1
+    input context { requires V }
+    output context { event yes event no }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $v action $yes ; exec }
+    transition t2 { from A to A condition not $v action $no ; exec }
+}
+stm Writer {
+    cycleDef cycle == 1
+    input context { event first }
+    output context { requires V event wrote }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $first action $v = false ; $wrote ; exec }
+    transition t2 { from A to A condition not $first action $v = true ; exec ; $v = false ; exec }
+}
+controller C {
+    cycleDef cycle == 1
+    requires V
+    event first
+    event yes
+    event no
+    event wrote
+    sref r = Reader
+    sref w = Writer
+    connection C on first to w on first
+    connection w on wrote to C on wrote
+    connection r on yes to C on yes
+    connection r on no to C on no
+}
+module M {
+    cycleDef cycle == 1
+    robotic platform P { event first event yes event no event wrote }
+    cref c = C
+    connection P on first to c on first ( _async )
+    connection c on yes to P on yes ( _async )
+    connection c on wrote to P on wrote ( _async )
+    connection c on no to P on no ( _async )
+}
+)";
+
+TEST(Robosim, SharedVariablesConform) {
+    for (const char* text :
+         {platform_variable, required_variable, controller_variable, both_write, unconnected_variable})
+        expect_conforming(text);
+    const Result stops = check(both_write, 1);
+    ASSERT_TRUE(stops.deadlines);
+    EXPECT_FALSE(stops.deadlines->holds);
+    const Result runs = check(controller_variable, 1);
+    ASSERT_TRUE(runs.deadlines);
+    EXPECT_TRUE(runs.deadlines->holds);
+}
+
+TEST(Robosim, FaultsOfSharedVariablesAreKilled) {
+    for (const char* text : {platform_variable, required_variable, controller_variable}) {
+        expect_killed(text, 1, Fault::write_not_relayed);
+        expect_killed(text, 2, Fault::write_not_relayed);
+    }
+    expect_killed(platform_variable, 1, Fault::cycle_read_late);
+    expect_killed(required_variable, 2, Fault::cycle_read_late);
+    expect_killed(platform_variable, 1, Fault::initial_lost);
+    expect_killed(required_variable, 1, Fault::outside_write_late);
+    expect_killed(required_variable, 1, Fault::outside_write_lost);
+    expect_killed(both_write, 1, Fault::cycle_output_again);
+    expect_killed(controller_variable, 1, Fault::part_not_assigned);
+    expect_killed(unconnected_variable, 1, Fault::send_dropped);
 }
 
 TEST(Robosim, MachinesConform) {
