@@ -4,6 +4,10 @@
 // names, and a block depends on the blocks whose names it uses. A block may also replace the instantiation, on which
 // everything depends. Excluded items are replaced by blanks in the text, so that the rest is read as if they did not
 // exist.
+//
+// An error in an operation, machine, controller or module does not affect the claims about other components: all
+// declarations that contain the name of an excluded one are excluded, too. So no name in the rest refers to an excluded
+// declaration, and the rest is a project of its own, with the same meaning of all names. It is read and checked again.
 #include "driver/model/broken_claims.hpp"
 
 #include <algorithm>
@@ -13,6 +17,7 @@
 #include <vector>
 
 #include "checker/cspm/syntax/lexer.hpp"
+#include "driver/model/project_claims.hpp"
 
 namespace robochart::driver {
 namespace {
@@ -20,6 +25,8 @@ namespace {
 using frontend::Assertion;
 using frontend::AssertionTime;
 using frontend::CspBlock;
+using frontend::Declaration;
+using frontend::DeclKind;
 using frontend::File;
 
 /// A claim, a block, or a definition for probabilistic claims, including the keyword for its semantics.
@@ -193,15 +200,83 @@ std::map<std::size_t, std::vector<diagnostics::Span>> errors_in_claims(const Pro
     return result;
 }
 
+bool is_definition(const Declaration& declaration) {
+    return declaration.kind == DeclKind::operation || declaration.kind == DeclKind::state_machine ||
+           declaration.kind == DeclKind::controller || declaration.kind == DeclKind::module;
+}
+
+bool contains_word(std::string_view text, const std::set<std::string>& names) {
+    const std::vector<std::string> words = words_of(text);
+    return std::ranges::any_of(words, [&](const std::string& word) { return names.contains(word); });
+}
+
+/// The definitions of a project that have errors, and all declarations that may refer to them.
+class WrongDefinitions {
+public:
+    explicit WrongDefinitions(const Project& project) : project_(project) {}
+
+    /// Finds the definition with this error. Returns false if the error is in no definition.
+    bool add_error(const File& file, const diagnostics::Diagnostic& error) {
+        if (file.has_syntax_errors || file.is_library) return false;
+        for (const auto& declaration : file.declarations) {
+            const bool inside = declaration->span.begin <= error.span.begin && error.span.begin < declaration->span.end;
+            if (!inside || !is_definition(*declaration) || declaration->name.empty()) continue;
+            add(*declaration, "it has errors");
+            return true;
+        }
+        return false;
+    }
+    void add_dependent() {
+        for (std::size_t before = 0; before != found_.size();) {
+            before = found_.size();
+            for (const auto& file : project_.model->files)
+                for (const auto& declaration : file->declarations)
+                    if (!file->is_library && !wrong_.contains(declaration.get()) && mentions(*file, *declaration))
+                        add(*declaration, "it refers to a definition that is set aside");
+        }
+    }
+    [[nodiscard]] const std::set<std::string>& names() const { return names_; }
+    [[nodiscard]] const std::vector<BrokenClaims::SetAside>& found() const { return found_; }
+    /// Removes the definitions from the text of their file. Returns whether there are any.
+    bool blank_in(const File& file, std::string& text) const {
+        bool some = false;
+        for (const auto& declaration : file.declarations) {
+            if (!wrong_.contains(declaration.get())) continue;
+            blank_range(text, declaration->span.begin, declaration->span.end);
+            some = true;
+        }
+        return some;
+    }
+
+private:
+    void add(const Declaration& declaration, std::string cause) {
+        if (!wrong_.insert(&declaration).second) return;
+        names_.insert(declaration.name);
+        found_.push_back({declaration.name, declaration.name_span, std::move(cause)});
+    }
+    [[nodiscard]] bool mentions(const File& file, const Declaration& declaration) const {
+        const diagnostics::Span span = declaration.span;
+        return contains_word(project_.sources.source_text(file.source).substr(span.begin, span.end - span.begin),
+                             names_);
+    }
+
+    const Project& project_;
+    std::vector<BrokenClaims::SetAside> found_;
+    std::set<const Declaration*> wrong_;  ///< the order is never used
+    std::set<std::string> names_;
+};
+
 class Split {
 public:
-    explicit Split(const Project& project) : project_(project) {}
+    explicit Split(const Project& project) : project_(project), definitions_(project) {}
 
     std::optional<BrokenClaims> find() {
-        errors_ = errors_in_claims(project_);
-        if (errors_.empty() || !leave_out_wrong()) return std::nullopt;
+        if (!find_errors() || claims_files_contain(definitions_.names())) return std::nullopt;
+        leave_out_claims_about(definitions_.names());
+        if (!leave_out_wrong()) return std::nullopt;
         leave_out_dependent();
         BrokenClaims result;
+        result.set_aside = definitions_.found();
         const auto& files = project_.model->files;
         for (std::size_t i = 0; i < files.size(); ++i)
             if (!files[i]->is_library) divide_file(i, *files[i], result);
@@ -212,6 +287,46 @@ public:
 
 private:
     [[nodiscard]] std::string_view text_of(const File& file) const { return project_.sources.source_text(file.source); }
+
+    /// Returns false if there are no errors, or if an error may affect everything.
+    bool find_errors() {
+        if (project_.diagnostics.dropped_count() > 0) return false;
+        for (const diagnostics::Diagnostic& finding : project_.diagnostics.sorted_findings()) {
+            if (finding.rule->severity != diagnostics::Severity::error) continue;
+            const auto file = finding.span.is_known() ? file_of(project_, finding.span.source) : std::nullopt;
+            if (!file) return false;
+            const File& text = *project_.model->files[*file];
+            if (text.is_assertions)
+                errors_[*file].push_back(finding.span);
+            else if (!definitions_.add_error(text, finding))
+                return false;
+        }
+        definitions_.add_dependent();
+        return !errors_.empty() || !definitions_.found().empty();
+    }
+
+    [[nodiscard]] bool claims_files_contain(const std::set<std::string>& names) const {
+        return std::ranges::any_of(project_.claims->files, [&](const auto& file) {
+            return contains_word(project_.sources.source_text(file->source), names);
+        });
+    }
+
+    /// Leaves out the claims and blocks that contain one of these names. If another item of a file contains one, leaves
+    /// out the whole file.
+    void leave_out_claims_about(const std::set<std::string>& names) {
+        for (std::size_t i = 0; i < project_.model->files.size(); ++i) {
+            const File& file = *project_.model->files[i];
+            if (!file.is_assertions || names.empty()) continue;
+            const ItemList items(file, text_of(file));
+            for (const Item& item : items.all_items()) {
+                if (!contains_word(text_of(file).substr(item.begin, item.end - item.begin), names)) continue;
+                leave_out(item);
+                if (item.claim == nullptr && item.block == nullptr) whole_.insert(i);
+            }
+            if (!whole_.contains(i)) continue;
+            for (const Item& item : items.all_items()) leave_out(item);
+        }
+    }
 
     /// False if the file contains a block that could not be parsed. Such a block may replace the instantiation, on
     /// which everything depends.
@@ -269,16 +384,15 @@ private:
                     claims_.insert(&claim);
     }
 
-    [[nodiscard]] bool uses_declared(const CspBlock& block) const {
-        const std::vector<std::string> words = words_of(block.text);
-        return std::ranges::any_of(words, [&](const std::string& word) { return declared_.contains(word); });
-    }
+    [[nodiscard]] bool uses_declared(const CspBlock& block) const { return contains_word(block.text, declared_); }
 
     /// Adds the file to the broken claims, to the other claims, or in parts to both.
     void divide_file(std::size_t index, const File& file, BrokenClaims& result) {
         if (!file.is_assertions) {
             result.sound.unit.files.push_back(index);
             result.broken.unit.files.push_back(index);
+            std::string rest(text_of(file));
+            if (definitions_.blank_in(file, rest)) result.sound.texts[index] = std::move(rest);
             return;
         }
         const ItemList items(file, text_of(file));
@@ -304,6 +418,7 @@ private:
     }
 
     const Project& project_;
+    WrongDefinitions definitions_;
     std::map<std::size_t, std::vector<diagnostics::Span>> errors_;  ///< by index in Model::files
     std::map<std::size_t, std::size_t> heads_;                      ///< for files with errors: see ItemList::touched_by
     std::set<std::size_t> whole_;                                   ///< files that cannot be used even in parts

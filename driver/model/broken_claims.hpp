@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out which claims of a project can be decided although assertion files have errors.
+// Finds out which claims of a project can be decided although other claims, or components that they do not use, have
+// errors.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "driver/model/project.hpp"
 #include "frontend/project/units.hpp"
@@ -20,12 +22,19 @@ struct BrokenClaims {
         frontend::Unit unit;
         std::map<std::size_t, std::string> texts;
     };
+    /// A definition that has errors, or that refers to such a definition.
+    struct SetAside {
+        std::string name;
+        diagnostics::Span place;
+        std::string cause;
+    };
     Side sound;
-    Side broken;        ///< includes the models, which are then read again (Part::again)
-    bool some = false;  ///< true if some claim can still be decided
+    Side broken;                      ///< includes the models, which are then read again (Part::again)
+    bool some = false;                ///< true if some claim can still be decided
+    std::vector<SetAside> set_aside;  ///< definitions that the sound side does not contain
 };
-/// Returns no value if an error is not in an assertion file, or if all remaining claims could depend on a part that
-/// cannot be read. In both cases, no claim can be decided.
+/// Returns no value if an error is neither in an assertion file nor in an operation, machine, controller or module, or
+/// if all remaining claims could depend on a part that cannot be read. In these cases, no claim is decided.
 [[nodiscard]] std::optional<BrokenClaims> broken_claims(const Project&);
 /// Returns true if there are errors, and all of them are in assertion files.
 [[nodiscard]] bool only_claims_broken(const Project&);

@@ -538,6 +538,18 @@ bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>&
     });
 }
 
+/// Removes the warnings about texts from which definitions were removed: the part with the errors has them, too.
+void drop_repeated_findings(Project& sound, const BrokenClaims& found) {
+    if (found.set_aside.empty() || !sound.diagnostics.ok()) return;
+    std::set<diagnostics::SourceId> texts;
+    for (const auto& file : sound.model->files) texts.insert(file->source);
+    for (const BrokenClaims::SetAside& definition : found.set_aside)
+        std::erase_if(texts, [&](diagnostics::SourceId text) {
+            return sound.sources.path(text) == sound.sources.path(definition.place.source);
+        });
+    sound.diagnostics = sound.diagnostics.findings_in_texts(texts);
+}
+
 /// Separates claims and CSP blocks with errors from the others, which can still be decided. If some claims can be
 /// decided, a part with errors is divided into two (broken_claims.hpp). Scripts are written for the part without
 /// errors.
@@ -550,7 +562,7 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
     for (Part& part : parts) {
         read_blocks(part, settings);
         const auto found = part.project->diagnostics.ok() ? std::nullopt : broken_claims(*part.project);
-        if (!found || !(found->some || writes)) {
+        if (!found || !(found->some || writes) || !(decides || found->set_aside.empty())) {
             result.push_back(std::move(part));
             continue;
         }
@@ -558,9 +570,13 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
         std::vector<Part> sound;
         sound.push_back({part_of(whole, found->sound.unit, whole.name, settings.load, found->sound.texts), part.again});
         sound.front().project->claims->files = whole.claims->files;
+        drop_repeated_findings(*sound.front().project, *found);
         instantiate_parts(sound, settings);
         check_claims(sound, settings);
         separate_broken_claims(sound, settings);  // errors in blocks are only found if there are no others
+        for (const BrokenClaims::SetAside& definition : found->set_aside)
+            sound.front().project->diagnostics.report(rules::set_aside, definition.place,
+                                                      {definition.name, definition.cause});
         std::set<diagnostics::SourceId> wrong;
         std::string named;  // name of the first file with an error
         for (const diagnostics::Diagnostic& finding : whole.diagnostics.sorted_findings())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that an assertion file with errors does not stop the claims of other files. Claims that may depend on the
-// erroneous file are undecided.
+// Tests that an assertion file with errors does not stop the claims of other files, and that a component with errors
+// does not stop the claims about others. Claims that may depend on the errors are undecided.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -98,6 +98,66 @@ TEST(BrokenClaims, OfAnotherFileMayNameTheBlock) {
         answers({{"m.rct", model}, {"a.assertions", refining("Uses", "Wrong")}, {"b.assertions", wrong_block}}, 2),
         (std::map<std::string, std::string>{{"Uses", "error"}}))
         << "nothing is left";
+}
+
+// ---- errors in components
+
+/// A machine without errors, one with an error, and one that runs the second one.
+const std::string components =
+    model +
+    "stm Wrong {\n var x : nat\n initial i state A { entry x = true }\n transition t0 { from i "
+    "to A }\n}\ncontroller C { sref w = Wrong }\n";
+const std::string about_each =
+    "timed assertion Other : Wrong is deadlock-free.\ntimed assertion User : C is deadlock-free.\n";
+
+TEST(BrokenComponents, DoNotStopClaimsAboutOthers) {
+    const auto found = answers({{"m.rct", components}, {"a.assertions", good + about_each}}, 2);
+    EXPECT_EQ(found, (std::map<std::string, std::string>{{"Good", "holds"}, {"Other", "error"}, {"User", "error"}}));
+    const Folder folder({{"m.rct", components}, {"a.assertions", good + about_each}});
+    const Ran text = run({"check", folder.path()});
+    EXPECT_EQ(text.exit, 2);
+    EXPECT_THAT(text.out, HasSubstr("holds        Good"));
+    EXPECT_THAT(text.err, HasSubstr("m.rct:9"));
+    EXPECT_THAT(text.err, HasSubstr("no claim about `Wrong` is decided, because it has errors"));
+    EXPECT_THAT(text.err,
+                HasSubstr("no claim about `C` is decided, because it refers to a definition that is set aside"));
+    EXPECT_THAT(text.err, Not(HasSubstr("no claim about `M`")));
+}
+
+TEST(BrokenComponents, MayBeNamedByBlocksAndOtherClaims) {
+    const std::string block = "csp Block csp-begin\nBlock = Wrong::terminate -> STOP\ncsp-end\n";
+    EXPECT_EQ(answers({{"m.rct", components},
+                       {"a.assertions", good + block + refining("Uses", "Block") + refining("Both", "Wrong")}},
+                      2),
+              (std::map<std::string, std::string>{{"Good", "holds"}, {"Uses", "error"}, {"Both", "error"}}));
+    const std::string instantiation =
+        "csp Instantiations csp-begin\n-- for Wrong\nnametype core_nat = {0..1}\ncsp-end\n";
+    const auto replaced = answers({{"m.rct", components}, {"a.assertions", good + instantiation}}, 2);
+    EXPECT_EQ(replaced.count("Good"), 0U) << "the block may set values of everything";
+    const std::string english = "claim Never of Wrong : never terminate\n";
+    const auto claimed = answers({{"m.rct", components}, {"a.assertions", good}, {"m.claims", english}}, 2);
+    EXPECT_EQ(claimed.count("Good"), 0U) << "the claims file is about the whole model";
+}
+
+TEST(BrokenComponents, OfOtherKindsStopAllClaims) {
+    const std::string wrong_interface = "interface I { var x : Nowhere }\n";
+    EXPECT_TRUE(answers({{"m.rct", model + wrong_interface}, {"a.assertions", good}}, 2).empty());
+    EXPECT_TRUE(answers({{"m.rct", model + "stm Wrong { initial\n"}, {"a.assertions", good}}, 2).empty());
+}
+
+TEST(BrokenComponents, MayBeFoundAfterOthers) {
+    // lowering finds the second error, and it runs only if the model has no others
+    const std::string later =
+        "stm Later {\n cycleDef cycle == 0.5\n input context { uses I }\n output context { }\n initial i\n state A { "
+        "}\n "
+        "transition t0 { from i to A }\n transition t1 { from A to A exec }\n}\n";
+    const Files files{
+        {"m.rct", components + "interface I { event pressed }\n"}, {"l.rst", later}, {"a.assertions", good}};
+    EXPECT_EQ(answers(files, 2), (std::map<std::string, std::string>{{"Good", "holds"}}));
+    const Folder folder(files);
+    const Ran text = run({"check", folder.path()});
+    EXPECT_THAT(text.err, HasSubstr("no claim about `Wrong` is decided"));
+    EXPECT_THAT(text.err, HasSubstr("no claim about `Later` is decided"));
 }
 
 // The text of a syntax error after a claim may have been meant as a part of the claim. If it precedes the claim on the
