@@ -601,6 +601,13 @@ bool has_components(const driver::Part& part, const std::vector<driver::Part>& p
     return some || (options.load.component.empty() && (!code || parts.size() == 1));
 }
 
+/// True if some component was compared with its code. Then components without code do not reject the whole part.
+bool compares_some(const Report& report) {
+    return std::ranges::any_of(report.conformance, [](const ConformanceReport& one) {
+        return one.result.outcome != conformance::Outcome::not_generated;
+    });
+}
+
 /// True if only the claims of a rejected part have errors. The report then lists all its claims as undecided.
 bool reports_refused(const driver::Part& part, const Options& options) {
     return part.again || (decides_assertions(options.verb) && only_claims_broken(*part.project));
@@ -608,8 +615,9 @@ bool reports_refused(const driver::Part& part, const Options& options) {
 
 /// Shows the diagnostics of all parts. In formats for programs, the diagnostics of a single part are the result of the
 /// run. Those of several parts, and those of claims, are part of the report.
-bool show_all(const std::vector<driver::Part>& parts, const Options& options) {
-    const bool alone = parts.size() == 1 && !reports_refused(parts.front(), options);
+bool show_all(const std::vector<driver::Part>& parts, const Options& options, const Report& report) {
+    const bool alone = parts.size() == 1 && !reports_refused(parts.front(), options) &&
+                       (parts.front().project->diagnostics.ok() || !compares_some(report));
     if (alone) return show_diagnostics(*parts.front().project, options);
     bool good = true;
     for (const driver::Part& part : parts) {
@@ -621,10 +629,11 @@ bool show_all(const std::vector<driver::Part>& parts, const Options& options) {
 
 /// Returns the first part that is rejected because the command line is wrong. A single part is also returned if its
 /// model is wrong.
-const driver::Project* first_refused(const std::vector<driver::Part>& parts, const Options& options) {
+const driver::Project* first_refused(const std::vector<driver::Part>& parts, const Options& options,
+                                     const Report& report) {
     for (const driver::Part& part : parts) {
         if (is_acceptable(*part.project, options.load)) continue;
-        const bool alone = parts.size() == 1 && !reports_refused(part, options);
+        const bool alone = parts.size() == 1 && !reports_refused(part, options) && !compares_some(report);
         if (alone || refusal_code(*part.project) == Exit::usage) return part.project.get();
     }
     return nullptr;
@@ -712,12 +721,12 @@ Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, R
         parts.front().project->diagnostics.report(rules::no_component, model_place(*parts.front().project),
                                                   {"the models"});
     options.run->finish();
-    if (const driver::Project* const stopped = first_refused(parts, options))
+    if (const driver::Project* const stopped = first_refused(parts, options, report))
         return refuse_parts(*stopped, parts, options, report);
     note_refused(parts, options, report);
     note_nothing_checked(parts, options, report);
     keep_page(parts, options, report);
-    const bool accepted = show_all(parts, options);
+    const bool accepted = show_all(parts, options, report);
     if (accepted && report.all_decided()) options.run->end_questions();
     const Exit exit = print_report(report, options);
     return accepted ? exit : Exit::bad_input;
@@ -800,7 +809,7 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
     if (!options.conform.traces.empty() && is_requested(options, Format::junit))
         throw UsageError("--format junit does not support --traces; use text or json");
     if (!options.conform.traces.empty()) return compare_traces(parts, options, report);
-    if (const driver::Project* const stopped = first_refused(parts, options))
+    if (const driver::Project* const stopped = first_refused(parts, options, report))
         return refuse_parts(*stopped, parts, options, report);
     require_empty_certificates(options);
     return run_parts(parts, options, report);
