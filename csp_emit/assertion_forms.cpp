@@ -19,19 +19,19 @@ ExprPtr tock_event() {
     return b::name("tock");
 }
 
-ExprPtr deadlock_watch(const ExprPtr& process) {
+ExprPtr deadlock_watch(const ExprPtr& process, const ExprPtr& alphabet) {
     const ExprPtr both = b::rename(process, {{tock_event(), tock_event()}, {tock_event(), b::name("tock'")}});
-    const ExprPtr others = b::call("diff", {b::name("Events"), b::set({b::name("tock'"), tock_event()})});
+    const ExprPtr others = b::call("diff", {alphabet, b::set({b::name("tock'"), tock_event()})});
     return b::hide(b::call("prioritise", {both, b::sequence({others, b::set({tock_event()})})}),
                    b::set({tock_event()}));
 }
 
 }  // namespace
 
-DeclPtr deadlock_free(const ExprPtr& process, bool timed, cspm::Model model, bool negated) {
+DeclPtr deadlock_free(const ExprPtr& process, bool timed, cspm::Model model, bool negated, const ExprPtr& alphabet) {
     if (!timed) return b::assert_property(process, AssertionKind::deadlock_free, model, negated);
-    return b::assert_property(deadlock_watch(process), AssertionKind::divergence_free,
-                              cspm::Model::failures_divergences, negated);
+    return b::assert_property(deadlock_watch(process, alphabet ? alphabet : b::name("Events")),
+                              AssertionKind::divergence_free, cspm::Model::failures_divergences, negated);
 }
 
 DeclPtr timelock_free(const ExprPtr& process, bool negated) {

@@ -12,11 +12,13 @@
 namespace robochart::csp_emit {
 
 /// Asserts `P :[deadlock free]`, which counts a terminated process as deadlocked. In the timed semantics, with
-/// Ev = Events \ {tock, tock'}, asserts that the following process is divergence-free:
+/// Ev = A \ {tock, tock'}, asserts that the following process is divergence-free:
 ///     prioritise(P[[tock <- tock, tock <- tock']], <Ev, {tock}>) \ {tock}
 /// A hidden tock is performed only if P offers no other event than tock'. So a divergence is a run in which, from some
-/// point on, time passes forever and P offers nothing else.
-[[nodiscard]] cspm::DeclPtr deadlock_free(const cspm::ExprPtr& process, bool timed, cspm::Model, bool negated = false);
+/// point on, time passes forever and P offers nothing else. `alphabet` is A, which contains all events of P; null:
+/// Events.
+[[nodiscard]] cspm::DeclPtr deadlock_free(const cspm::ExprPtr& process, bool timed, cspm::Model, bool negated = false,
+                                          const cspm::ExprPtr& alphabet = nullptr);
 /// Asserts `RUN({tock}) ||| CHAOS(Events \ {tock}) [F= P`: every stable state of P accepts tock.
 [[nodiscard]] cspm::DeclPtr timelock_free(const cspm::ExprPtr& process, bool negated = false);
 /// Asserts `STOP [T= (P; r__ -> STOP) |\ {r__}`: no ✓ is reachable, because r__ would follow it.

@@ -434,7 +434,10 @@ void Asserter::add_assertions(const ir::Property& property, Obligation& out) {
     const cspm::Model model = property.model == ir::PropertyModel::failures ? cspm::Model::failures : cspm::Model::none;
     switch (property.kind) {
         case PropertyKind::deadlock_free:
-            out.assertions = {deadlock_free(subject(), timed(), model, property.negated)};
+            // the registers of other components may have too many values to list them
+            out.assertions = {
+                deadlock_free(subject(), timed(), model, property.negated,
+                              runs_in_cycles(property.subject) ? alphabet_of(property.subject) : nullptr)};
             if (!property.negated && runs_in_cycles(property.subject))
                 out.time_goes_on = RecurrenceQuestion{running_on(subject(), "tock"), b::productions({b::name("tock")})};
             break;

@@ -44,9 +44,8 @@ bool chooses_ranges(const Project& project) {
 
 bool keeps_carriers(const Project& project, const Settings& settings) {
     const bool instantiated = std::ranges::any_of(project.system.csp_blocks, ir::is_instantiations);
-    // an empty register has any value of its type
-    const bool robosim = !ir::robosim_components(project.system).empty();
-    return robosim || settings.claims.concrete || chooses_ranges(project) || instantiated ||
+    // a simulation declares registers with the types of the events of its component
+    return !project.system.simulations.empty() || settings.claims.concrete || chooses_ranges(project) || instantiated ||
            !settings.swarm.file.empty();
 }
 
@@ -82,7 +81,7 @@ bool are_all_in(const std::vector<ir::ReplacedData>& data, const std::vector<ir:
 }
 
 FreeProject free_project(const Project& project, const Settings& settings, const ClassProject& classes) {
-    if (keeps_carriers(project, settings)) return {};
+    if (keeps_carriers(project, settings) || !ir::robosim_components(project.system).empty()) return {};
     auto replaced = ir::free_model(without_observers(project.system), project.instantiation);
     if (!replaced) return {};
     const bool unlimited = std::ranges::any_of(replaced->data, &ir::ReplacedData::all_values);

@@ -10,6 +10,7 @@
 #include "base/diagnostics/utf8.hpp"
 #include "counterexample/text.hpp"
 #include "driver/claims/causes.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::driver {
 
@@ -17,7 +18,8 @@ FreeData::FreeData(const Project& project, const Settings& settings, const Class
     : project_(project),
       settings_(settings),
       classes_(classes),
-      possible_(!keeps_carriers(project, settings) && ir::has_data(project.system)) {}
+      possible_(!keeps_carriers(project, settings) && ir::robosim_components(project.system).empty() &&
+                ir::has_data(project.system)) {}
 
 const FreeProject& FreeData::project() {
     if (!made_) made_ = free_project(project_, settings_, classes_);

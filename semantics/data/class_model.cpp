@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -56,7 +57,7 @@ std::set<std::string> outputs_replaced(const System& system, const Places& place
             for (std::size_t p = 0; p < machine.operations[o].parameters.size(); ++p)
                 note(places.parameter(MachineId{m}, OperationId{o}, p));
         for (std::uint32_t v = 0; v < machine.variables.size(); ++v)
-            if (machine.variables[v].scope == VariableScope::required)
+            if (machine.variables[v].scope == VariableScope::required || machine.variables[v].output)
                 note(places.variable(MachineId{m}, VariableId{v}));
     }
     return result;
@@ -170,6 +171,8 @@ std::optional<ClassModel> Attempt::result() const {
 
 RelatedSystem related_system(const System& system, const Instantiation& instantiation,
                              const std::set<GroupId>& refused) {
+    // in RoboSim, the store of an input is not part of its communication, so no class of a term replaces the input
+    if (std::ranges::any_of(system.machines, &Machine::robosim)) return {system, {}};
     const Sampling sampling(system, instantiation);
     Places places(system);
     (void)collect_uses(system, sampling, places);  // unites the places between which values are copied

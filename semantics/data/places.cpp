@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "semantics/ir/query.hpp"
+
 namespace robochart::ir {
 namespace {
 
@@ -19,8 +21,15 @@ void visit_component(Component& component, const Visit& visit) {
 }
 
 bool is_shared(const Machine& machine, const Variable& variable) {
-    return variable.scope == VariableScope::required ||
+    return variable.scope == VariableScope::required || variable.scope == VariableScope::reg ||
            (machine.kind == MachineKind::operation && variable.scope == VariableScope::parameter);
+}
+
+/// Returns the name in the model. The names of registers of RoboSim begin with `$`, and the names of their values end
+/// with `?`.
+std::string name_in_model(const Variable& variable) {
+    if (variable.scope != VariableScope::reg) return variable.name;
+    return variable.name.substr(1, variable.name.size() - (variable.name.ends_with('?') ? 2 : 1));
 }
 
 }  // namespace
@@ -51,7 +60,7 @@ void Places::number_places(const System& system) {
         numbers.variables = static_cast<PlaceId>(places_.size());
         for (const Variable& variable : component.variables)
             add({.type = variable.type,
-                 .name = variable.name,
+                 .name = name_in_model(variable),
                  .shared = shared(variable),
                  .opaque = !machine && variable.initial != nullptr,
                  .variable = true});
@@ -118,7 +127,7 @@ void Places::unite_shared_names(const System& system) {
         for (std::size_t i = 0; i < component.variables.size(); ++i)
             unite_name("variable " + component.variables[i].name, 0, numbers.variables + static_cast<PlaceId>(i));
     };
-    bool operations_use_events = false;
+    bool operations_use_events = false, operations_use_registers = false;
     for (std::size_t m = 0; m < system.machines.size(); ++m) {
         const Machine& machine = system.machines[m];
         std::size_t parameters = 0;
@@ -129,11 +138,19 @@ void Places::unite_shared_names(const System& system) {
                 unite_name("operation " + machine.name, parameters++, place);
             else if (variable.scope == VariableScope::required || of_operations.contains(variable.name))
                 unite_name("variable " + variable.name, 0, place);
+            else if (variable.scope == VariableScope::reg && event_register(machine, VariableId{i}) == nullptr)
+                unite_name("variable " + name_in_model(variable), 0, place);
         }
         unite_signatures(machine, machines_[m]);
         operations_use_events =
             operations_use_events || (machine.kind == MachineKind::operation && !machine.events.empty());
+        operations_use_registers =
+            operations_use_registers || (machine.kind == MachineKind::operation && !machine.inputs.empty());
     }
+    for (std::size_t m = 0; operations_use_registers && m < system.machines.size(); ++m)
+        for (const Input& input : system.machines[m].inputs)
+            if (input.content.is_valid())
+                unite_name("register " + input.name, 0, machines_[m].variables + input.content.index);
     for (std::size_t m = 0; operations_use_events && m < system.machines.size(); ++m)
         for (std::size_t i = 0; i < system.machines[m].events.size(); ++i)
             if (machines_[m].events[i] != no_id)
@@ -153,6 +170,17 @@ void Places::unite_connections(const System& system) {
         const auto found = std::ranges::find(events, name, &Event::name);
         return found == events.end() ? no_id : numbers.events[static_cast<std::size_t>(found - events.begin())];
     };
+    // An event of a RoboSim machine may be an input, an output, or both, which are then one flow class.
+    const auto place_in_machine = [&](std::uint32_t machine, const std::string& name) {
+        const PlaceId output = place_of(system.machines[machine].events, machines_[machine], name);
+        const auto& inputs = system.machines[machine].inputs;
+        const auto input =
+            std::ranges::find_if(inputs, [&](const Input& one) { return one.full.is_valid() && one.name == name; });
+        if (input == inputs.end() || !input->content.is_valid()) return output;
+        const PlaceId content = machines_[machine].variables + input->content.index;
+        if (output != no_id) unite(output, content);
+        return content;
+    };
     const auto unite_ends = [&](const std::vector<Connection>& connections, const auto& end) {
         for (const Connection& connection : connections) {
             const PlaceId from = end(connection.from), to = end(connection.to);
@@ -168,7 +196,7 @@ void Places::unite_connections(const System& system) {
         unite_ends(controller.connections, [&](const ConnectionEnd& end) {
             if (end.kind == EndKind::self) return place_of(controller.events, controllers_[c], end.event);
             const std::uint32_t machine = controller.machines.at(end.part).machine.index;
-            return place_of(system.machines[machine].events, machines_[machine], end.event);
+            return place_in_machine(machine, end.event);
         });
     }
     for (std::size_t m = 0; m < system.modules.size(); ++m) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Collects the places that hold data in a model, and groups them into flow classes. Private to this component. Two
 // places are in one flow class if the model may copy a value from one to the other by an assignment, a communication, a
-// call, a connection or a shared variable (docs/data.md, "Flow classes").
+// call, a connection, a register or a shared variable (docs/data.md, "Flow classes").
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,12 @@ using PlaceId = std::uint32_t;
 /// A place that holds values.
 struct Place {
     TypeId type;
-    std::string name;       ///< its name in the model
-    bool input = false;     ///< the value of an event that a component receives
-    bool shared = false;    ///< a variable that components share, or a parameter of an operation with a body
-    bool opaque = false;    ///< its values are copied to a place of another type, or initialised outside machines
-    bool internal = false;  ///< a connection between two components carries the values
-    bool variable = false;  ///< the place is a variable, not an event or a parameter of a called operation
+    std::string name;     ///< its name in the model
+    bool input = false;   ///< the value of an event that a component receives
+    bool shared = false;  ///< a variable that components share, a parameter of an operation with a body, or a register
+    bool opaque = false;  ///< its values are copied to a place of another type, or initialised outside machines
+    bool internal = false;          ///< a connection between two components carries the values
+    bool variable = false;          ///< the place is a variable, not an event or a parameter of a called operation
     std::uint32_t machine = no_id;  ///< the machine that has the place; no_id: a controller or a platform
 };
 

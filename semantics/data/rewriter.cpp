@@ -316,6 +316,7 @@ void Rewriter::rewrite_transition(Transition& transition) {
     trigger_ = places_.trigger(machine_, transition);
     transition.guard = rewritten(transition.guard);
     trigger_ = no_id;
+    for (StmtPtr& store : transition.stores) store = rewritten(store);
     transition.action = rewritten(transition.action);
 }
 

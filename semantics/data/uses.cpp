@@ -168,6 +168,7 @@ void UseCollector::collect_transition(const Transition& transition) {
     read_values(transition.probability, KeepReason::probability);
     read_values(transition.deadline, KeepReason::time);
     trigger_ = no_id;
+    for (const StmtPtr& store : transition.stores) collect_statement(*store);
     if (transition.action) visit_statements(*transition.action, [&](const Stmt& stmt) { collect_statement(stmt); });
 }
 
