@@ -135,7 +135,8 @@ bool Division::add_value(const Value& value, bool written) {
 /// could seem deterministic. These classes suffice for the following reason. Suppose that outputs of v and of another
 /// value are possible after one trace. Rename v to the further value, unless the model writes v, and rename all other
 /// values to one value that the model writes. Both outputs are also possible after the renamed trace (Lazić, A semantic
-/// study of data independence, 1999, chapter 5).
+/// study of data independence, 1999, chapter 5). This includes the arbitrary values of empty registers in RoboSim,
+/// which are renamed like inputs.
 std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_events, bool only_copied) {
     if (uses_.conditions.size() > most_conditions) return std::nullopt;
     only_by_events_ = only_by_events;
