@@ -118,7 +118,7 @@ TEST(BrokenComponents, DoNotStopClaimsAboutOthers) {
     EXPECT_EQ(text.exit, 2);
     EXPECT_THAT(text.out, HasSubstr("holds        Good"));
     EXPECT_THAT(text.err, HasSubstr("m.rct:9"));
-    EXPECT_THAT(text.err, HasSubstr("no claim about `Wrong` is decided, because it has errors"));
+    EXPECT_THAT(text.err, HasSubstr("warning[RC-A06]: no claim about `Wrong` is decided, because it has errors"));
     EXPECT_THAT(text.err,
                 HasSubstr("no claim about `C` is decided, because it refers to a definition that is set aside"));
     EXPECT_THAT(text.err, Not(HasSubstr("no claim about `M`")));
