@@ -91,17 +91,6 @@ std::optional<ComparedNumbers> compared(ir::ExprKind kind, const std::optional<N
                            ir::comparison_answer(kind, *left <=> *right)};
 }
 
-/// The number of a window; no value if it contains no place of the sequence.
-std::optional<Real> number_in_window(const ir::SequenceWindow& window, const TriedValue& sequence) {
-    std::optional<Real> result;
-    for (const std::int64_t place : window.places) {
-        if (static_cast<std::size_t>(place) > sequence.size()) break;
-        const auto item = std::bit_cast<Real>(sequence[static_cast<std::size_t>(place - 1)].bits);
-        if (!result || (window.greatest ? item > *result : item < *result)) result = item;
-    }
-    return result;
-}
-
 }  // namespace
 
 std::optional<ComparedNumbers> compare_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
@@ -111,7 +100,9 @@ std::optional<ComparedNumbers> compare_on_robot(const ir::System& system, const 
     const ir::Expr& right = *comparison.expr->args.at(1);
     if (space.sequences) {
         if (!comparison.cut) return std::nullopt;
-        const auto number = number_in_window(*comparison.cut->window, value);
+        const ir::SequenceWindow& window = *comparison.cut->window;
+        const auto number = ir::extremum_in(window, window.greatest, value.size(),
+                                            [&](std::size_t i) { return std::bit_cast<Real>(value[i].bits); });
         const auto other = computer.real(comparison.window == 0 ? right : left);
         return comparison.window == 0 ? compared(comparison.expr->kind, number, other)
                                       : compared(comparison.expr->kind, other, number);

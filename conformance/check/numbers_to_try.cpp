@@ -87,14 +87,16 @@ TriedNumber itself(double number) {
     return {std::bit_cast<std::int64_t>(number + 0.0), std::nullopt};
 }
 
+int sign_of_number(Wide number) {
+    return number < 0 ? -1 : static_cast<int>(number > 0);
+}
+
 /// Returns the exact sign of a form of one number: coefficient * number + constant. The constant is in units if the
 /// number is real. Computes with doubles first. Their error is below 2^-50 of the sum of the absolute summands.
 int sign_of_item(const NumberSpace& space, const ir::Cut& cut, const TriedNumber& item) {
     const Wide coefficient = cut.coefficients.at(0);
-    if (item.units || !is_real(space.part(0))) {
-        const Wide sum = coefficient * item.units.value_or(item.bits) + cut.constant;
-        return sum < 0 ? -1 : static_cast<int>(sum > 0);
-    }
+    if (item.units || !is_real(space.part(0)))
+        return sign_of_number(coefficient * item.units.value_or(item.bits) + cut.constant);
     const double product =
         static_cast<double>(cut.coefficients[0]) * static_cast<double>(space.scale) * as_double(item);
     const auto constant = static_cast<double>(cut.constant);
@@ -109,18 +111,11 @@ int sign_of_item(const NumberSpace& space, const ir::Cut& cut, const TriedNumber
 /// The form is monotonic in its number. So its sign for the least (or greatest) number in a window is the least or the
 /// greatest sign for an item.
 int sign_of_sequence(const NumberSpace& space, const ir::Cut& cut, const TriedValue& sequence) {
-    if (!cut.window) {
-        const Wide sum = Wide{cut.coefficients.at(0)} * static_cast<std::int64_t>(sequence.size()) + cut.constant;
-        return sum < 0 ? -1 : static_cast<int>(sum > 0);
-    }
-    const bool least = (cut.coefficients.at(0) > 0) != cut.window->greatest;
-    std::optional<int> sign;
-    for (const std::int64_t place : cut.window->places) {
-        if (static_cast<std::size_t>(place) > sequence.size()) break;
-        const int item = sign_of_item(space, cut, sequence[static_cast<std::size_t>(place - 1)]);
-        if (!sign || (least ? item < *sign : item > *sign)) sign = item;
-        if (*sign == (least ? -1 : 1)) break;
-    }
+    if (!cut.window)
+        return sign_of_number(Wide{cut.coefficients.at(0)} * static_cast<std::int64_t>(sequence.size()) + cut.constant);
+    const bool greatest = (cut.coefficients.at(0) > 0) == cut.window->greatest;
+    const auto sign = ir::extremum_in(*cut.window, greatest, sequence.size(),
+                                      [&](std::size_t i) { return sign_of_item(space, cut, sequence[i]); });
     return sign.value_or(2);
 }
 
@@ -227,10 +222,9 @@ private:
     /// The items of the window for which the cut's form is 0.
     [[nodiscard]] std::vector<std::size_t> items_at_boundary(const ir::Cut& cut, const TriedValue& sequence) const {
         std::vector<std::size_t> result;
-        for (const std::int64_t place : cut.window->places) {
-            const auto item = static_cast<std::size_t>(place - 1);
-            if (item < sequence.size() && sign_of_item(space_, cut, sequence[item]) == 0) result.push_back(item);
-        }
+        ir::visit_items(*cut.window, sequence.size(), [&](std::size_t item) {
+            if (sign_of_item(space_, cut, sequence[item]) == 0) result.push_back(item);
+        });
         return result;
     }
 
@@ -273,8 +267,8 @@ private:
     }
 
     /// Returns a sequence with another length, with one other item, with items between those of two sequences, or with
-    /// items that are greater by different amounts (less, if windows read greatest numbers).
-    /// `value` consists of the numbers `from`.
+    /// items that are greater by different amounts (less, if windows read greatest numbers). `value` consists of the
+    /// numbers `from`.
     [[nodiscard]] TriedValue random_sequence(std::size_t trial, TriedValue value, const Numbers& from,
                                              const Numbers& to) {
         if (trial % 4 == 0) {

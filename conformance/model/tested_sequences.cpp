@@ -14,19 +14,8 @@ int sign_of(double number, double threshold) {
     return static_cast<int>(number > threshold) - static_cast<int>(number < threshold);
 }
 
-/// The number of the window; no value if the window contains no place of the sequence.
-std::optional<double> number_in(const ir::SequenceWindow& window, std::span<const double> items) {
-    std::optional<double> result;
-    for (const std::int64_t place : window.places) {
-        if (static_cast<std::size_t>(place) > items.size()) break;
-        const double item = items[static_cast<std::size_t>(place - 1)];
-        if (!result || (window.greatest ? item > *result : item < *result)) result = item;
-    }
-    if (window.places.size() < static_cast<std::size_t>(ir::last_place)) return result;
-    // The window of all places has no last place.
-    const auto whole = std::ranges::minmax_element(items);
-    if (result) result = window.greatest ? *whole.max : *whole.min;
-    return result;
+bool has_real_items(const ir::System& system, ir::TypeId sequence) {
+    return system.type(system.type(sequence).args.at(0)).kind == ir::TypeKind::real;
 }
 
 bool has_representatives(const ir::System& system, const ir::Instantiation& instantiation) {
@@ -37,7 +26,7 @@ bool has_representatives(const ir::System& system, const ir::Instantiation& inst
 
 SequenceTests tests_of(const ir::System& system, const ir::ValueModel& model, ir::TypeId type) {
     SequenceTests result;
-    const bool real = system.type(system.type(type).args.at(0)).kind == ir::TypeKind::real;
+    const bool real = has_real_items(system, type);
     for (const ir::Cut& cut : model.cuts) {
         if (cut.type != type) continue;
         const std::int64_t unit = cut.window && real ? model.scale : 1;
@@ -52,7 +41,10 @@ SequenceTests tests_of(const ir::System& system, const ir::ValueModel& model, ir
 std::vector<int> SequenceTests::signs_at(std::span<const double> items) const {
     std::vector<int> signs;
     for (const SequenceTest& test : tests) {
-        const auto number = test.window ? number_in(*test.window, items) : static_cast<double>(items.size());
+        std::optional<double> number = static_cast<double>(items.size());
+        if (test.window)
+            number = ir::extremum_in(*test.window, test.window->greatest, items.size(),
+                                     [&](std::size_t i) { return items[i]; });
         signs.push_back(number ? sign_of(*number, test.threshold) : 2);
     }
     return signs;
@@ -83,7 +75,7 @@ TestedSequences tested_sequences(const ir::System& system, const ir::Instantiati
         const ir::TypeId type{index};
         if (!ir::is_number_sequence(system, type)) continue;
         SequenceTests& tests = result.types.emplace(index, tests_of(system, *model, type)).first->second;
-        const bool real = system.type(system.type(type).args.at(0)).kind == ir::TypeKind::real;
+        const bool real = has_real_items(system, type);
         for (const ir::Value& value : values) {
             std::vector<double> items;
             for (const ir::Value& item : value.parts)

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace robochart::ir {
@@ -17,5 +19,29 @@ struct SequenceWindow {
     bool greatest = false;
     friend auto operator<=>(const SequenceWindow&, const SequenceWindow&) = default;
 };
+
+/// Calls `visit` with the indices, from 0 on and ascending, of the items that a sequence of this length has in the
+/// window.
+template <class Visit>
+void visit_items(const SequenceWindow& window, std::size_t length, Visit visit) {
+    for (const std::int64_t place : window.places) {
+        if (static_cast<std::size_t>(place) > length) return;
+        visit(static_cast<std::size_t>(place - 1));
+    }
+    if (window.places.empty() || window.places.back() != last_place) return;
+    for (auto index = static_cast<std::size_t>(last_place); index < length; ++index) visit(index);
+}
+
+/// Returns the least (or greatest) of the numbers that `number_at` has for the items of a sequence in the window, or no
+/// value if the window contains no place of the sequence.
+template <class NumberAt>
+[[nodiscard]] auto extremum_in(const SequenceWindow& window, bool greatest, std::size_t length, NumberAt number_at) {
+    std::optional<decltype(number_at(length))> result;
+    visit_items(window, length, [&](std::size_t index) {
+        const auto number = number_at(index);
+        if (!result || (greatest ? number > *result : number < *result)) result = number;
+    });
+    return result;
+}
 
 }  // namespace robochart::ir

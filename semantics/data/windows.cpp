@@ -128,13 +128,8 @@ std::vector<int> SequenceConditions::signs_at(const Value& sequence) const {
             result.push_back(sign(length, comparison.threshold));
             continue;
         }
-        std::optional<std::int64_t> extremum;
-        for (const std::int64_t place : comparison.window->places) {
-            if (place > length) break;
-            const std::int64_t number = sequence.parts[static_cast<std::size_t>(place - 1)].number;
-            const bool further = !extremum || (comparison.window->greatest ? number > *extremum : number < *extremum);
-            if (further) extremum = number;
-        }
+        const auto extremum = extremum_in(*comparison.window, comparison.window->greatest, sequence.parts.size(),
+                                          [&](std::size_t i) { return sequence.parts[i].number; });
         result.push_back(extremum ? sign(*extremum, comparison.threshold) : 2);
     }
     return result;

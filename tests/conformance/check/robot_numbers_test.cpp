@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <regex>
 #include <set>
 #include <tuple>
@@ -384,6 +385,14 @@ TEST(NumbersToTry, SignsOfWindowsAreExact) {
         EXPECT_EQ(sign_of(space, reversed, sequence), of_reversed);
         EXPECT_EQ(sign_of(space, size, sequence), of_size);
     }
+    // The window of all places reads every item of a longer sequence; a window up to place 4095 does not.
+    ir::Cut whole{type, {1}, -1, ir::SequenceWindow{std::vector<std::int64_t>(ir::last_place), false}};
+    std::iota(whole.window->places.begin(), whole.window->places.end(), std::int64_t{1});
+    TriedValue longer(5000, one);
+    longer[4500] = below;
+    EXPECT_EQ(sign_of(space, whole, longer), -1);
+    whole.window->places.pop_back();
+    EXPECT_EQ(sign_of(space, whole, longer), 1);
     EXPECT_EQ(value_text(space, {one, tenth, tenth, tenth, below}), "<1, 3 times 0.1, 0.09999999999999999>");
 }
 
