@@ -52,13 +52,14 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     }
     auto shown = conformance::model_interface(safe.system, safe.instantiation, safe.component,
                                               loaded->script_.provenance, diagnostics);
-    auto outside = conformance::model_interface(system, instantiation, ref, loaded->script_.provenance, diagnostics);
+    auto outside =
+        conformance::component_interface(system, instantiation, ref, loaded->script_.provenance, diagnostics);
     if (!shown || !outside || diagnostics.error_count() != errors) {
         error = fmt::format("{} has no inputs and outputs of a controller", ref.path);
         return nullptr;
     }
     loaded->boundary_ = std::move(*shown);
-    loaded->outside_ = std::move(outside->interface);
+    loaded->outside_ = std::move(*outside);
     loaded->boundary_.interface.drops = dropped_inputs(loaded->outside_, order);
     loaded->session_ = std::make_unique<cspm::Session>(loaded->script_.definitions);
     loaded->process_ = process;

@@ -109,7 +109,6 @@ public:
                            event.type ? std::vector<ir::TypeId>{*event.type} : std::vector<ir::TypeId>{});
         for (const cpp_emit::StoredVariable& variable : component_.variables)
             if (variable.visible && !variable.copy) add_output("set_" + variable.name(), {variable.variable->type});
-        result_.numbers = NumberCollector(system_, instantiation_, component_).collect();
         return std::move(result_);
     }
 
@@ -159,7 +158,18 @@ std::optional<ModelInterface> model_interface(const ir::System& system, const ir
     const auto component = cpp_emit::resolve_component(system, instantiation, ref, diagnostics);
     if (!component) return std::nullopt;
     ModelInterface result = Collector(system, instantiation, *component).collect();
+    result.numbers = NumberCollector(system, instantiation, *component).collect();
     complete_interface(result.interface, system, instantiation, ref, provenance);
+    return result;
+}
+
+std::optional<Interface> component_interface(const ir::System& system, const ir::Instantiation& instantiation,
+                                             const ir::ComponentRef& ref, const csp_emit::Provenance& provenance,
+                                             diagnostics::Diagnostics& diagnostics) {
+    const auto component = cpp_emit::resolve_component(system, instantiation, ref, diagnostics);
+    if (!component) return std::nullopt;
+    Interface result = Collector(system, instantiation, *component).collect().interface;
+    complete_interface(result, system, instantiation, ref, provenance);
     return result;
 }
 

@@ -27,6 +27,11 @@ struct ModelInterface {
                                                             const ir::ComponentRef&, const csp_emit::Provenance&,
                                                             diagnostics::Diagnostics&);
 
+/// Returns only the interface, without an analysis of the component's numbers.
+[[nodiscard]] std::optional<Interface> component_interface(const ir::System&, const ir::Instantiation&,
+                                                           const ir::ComponentRef&, const csp_emit::Provenance&,
+                                                           diagnostics::Diagnostics&);
+
 /// Returns how the component uses numbers, or no value if no C++ can be generated for it.
 [[nodiscard]] std::optional<TestedNumbers> tested_numbers(const ir::System&, const ir::Instantiation&,
                                                           const ir::ComponentRef&);
