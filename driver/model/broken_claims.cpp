@@ -7,7 +7,7 @@
 //
 // An error in an operation, machine, controller or module does not affect the claims about other components: all
 // declarations that contain the name of an excluded one are excluded, too. So no name in the rest refers to an excluded
-// declaration, and the rest is a project of its own, with the same meaning of all names. It is read and checked again.
+// declaration, and the rest is a separate project, with the same meaning of all names. It is read and checked again.
 #include "driver/model/broken_claims.hpp"
 
 #include <algorithm>

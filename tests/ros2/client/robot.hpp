@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A generated node in a process of its own, and a client of it in this process.
+// A generated node in another process, and a client of it in this process.
 #pragma once
 
 #include <sys/types.h>
@@ -22,7 +22,7 @@ using Transition = lifecycle_msgs::msg::Transition;
 /// Waits until the condition is true, at most for this time. Returns whether it became true.
 bool wait_until(const std::function<bool()>& condition, std::chrono::milliseconds limit = std::chrono::seconds(10));
 
-/// A program in a process of its own.
+/// A program in another process.
 class Process {
 public:
     explicit Process(const std::vector<std::string>& words);
