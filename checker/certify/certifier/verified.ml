@@ -248,6 +248,14 @@ let rec seq start0 len =
     (fun len0 -> start0 :: (seq (Stdlib.Int.succ start0) len0))
     len
 
+(** val repeat : 'a1 -> int -> 'a1 list **)
+
+let rec repeat x n =
+  (fun fO fS n -> if n=0 then fO () else fS (n-1))
+    (fun _ -> [])
+    (fun k -> x :: (repeat x k))
+    n
+
 module Z =
  struct
   (** val double : z -> z **)
@@ -1502,3 +1510,467 @@ let certify_refinement m hs spec hi impl n e p =
 
 let certify_property p hi impl p0 =
   (&&) (shape_ok hi impl) (check_property (compact hi impl) eq_words p p0)
+
+type term =
+| Offer of (ev * term) list
+| Call of Uint63.t
+| Choice of Uint63.t * term * term
+| Sliding of term * term
+| Sequence of term * term
+| Interrupt of Uint63.t * term * term
+| Throw of Uint63.t * term * term
+| Parallel of Uint63.t * Uint63.t * Uint63.t * term * term
+| Hide of Uint63.t * term
+| Rename of Uint63.t * term
+| Prioritise of Uint63.t * term
+
+type definitions = { body : (Uint63.t -> term);
+                     has : (Uint63.t -> ev -> bool);
+                     names : (Uint63.t -> ev -> ev list);
+                     priority : (Uint63.t -> ev -> Uint63.t option) }
+
+type moves_to = (ev * term) list
+
+(** val invisible : ev -> bool **)
+
+let invisible e =
+  (||) (eqb e tau) (eqb e tick)
+
+(** val within : definitions -> Uint63.t -> ev -> bool **)
+
+let within d a e =
+  if invisible e then false else d.has a e
+
+(** val new_names : definitions -> Uint63.t -> ev -> ev list **)
+
+let new_names d r e =
+  if invisible e
+  then e :: []
+  else (match d.names r e with
+        | [] -> e :: []
+        | e0 :: l0 -> e0 :: l0)
+
+(** val hidden : definitions -> Uint63.t -> ev -> ev **)
+
+let hidden d a e =
+  if within d a e then tau else e
+
+(** val rank : definitions -> Uint63.t -> ev -> Uint63.t option **)
+
+let rank d o e =
+  if invisible e then Some (Uint63.of_int (0)) else d.priority o e
+
+(** val beats : definitions -> Uint63.t -> ev -> ev -> bool **)
+
+let beats d o d0 e =
+  match rank d o d0 with
+  | Some k -> (match rank d o e with
+               | Some l -> ltb0 k l
+               | None -> false)
+  | None -> false
+
+(** val alone : definitions -> Uint63.t -> ev -> bool **)
+
+let alone d a e =
+  (||) (eqb e tau) (within d a e)
+
+(** val together : definitions -> Uint63.t -> ev -> bool **)
+
+let together d a e =
+  (||) (eqb e tick) (within d a e)
+
+(** val keep : (ev -> bool) -> (term -> term) -> moves_to -> moves_to **)
+
+let keep on f l =
+  map (fun m -> ((fst m), (if on (fst m) then f (snd m) else snd m))) l
+
+(** val outside : definitions -> Uint63.t -> moves_to -> moves_to **)
+
+let outside d a l =
+  filter (fun m -> negb (within d a (fst m))) l
+
+(** val joint :
+    (ev -> bool) -> (term -> term -> term) -> moves_to -> moves_to -> moves_to **)
+
+let joint on f l k =
+  flat_map (fun m ->
+    if on (fst m)
+    then map (fun m' -> ((fst m), (f (snd m) (snd m'))))
+           (filter (fun m' -> eqb (fst m') (fst m)) k)
+    else []) l
+
+(** val on_one :
+    moves_to option -> (moves_to -> moves_to) -> moves_to option **)
+
+let on_one l f =
+  match l with
+  | Some l0 -> Some (f l0)
+  | None -> None
+
+(** val on_both :
+    moves_to option -> moves_to option -> (moves_to -> moves_to -> moves_to)
+    -> moves_to option **)
+
+let on_both l k f =
+  match l with
+  | Some l0 -> (match k with
+                | Some k0 -> Some (f l0 k0)
+                | None -> None)
+  | None -> None
+
+(** val moves_of : definitions -> int -> term -> moves_to option **)
+
+let rec moves_of d bound p =
+  (fun fO fS n -> if n=0 then fO () else fS (n-1))
+    (fun _ -> None)
+    (fun n ->
+    let go = moves_of d n in
+    (match p with
+     | Offer branches -> Some branches
+     | Call k -> go (d.body k)
+     | Choice (a, p0, q) ->
+       on_both (go p0) (go q) (fun l k ->
+         app
+           (keep (fun e -> eqb e tau) (fun u -> Choice (a, u, q))
+             (outside d a l))
+           (app
+             (keep (fun e -> eqb e tau) (fun u -> Choice (a, p0, u))
+               (outside d a k))
+             (joint (within d a) (fun x x0 -> Choice (a, x, x0)) l k)))
+     | Sliding (p0, q) ->
+       on_one (go p0) (fun l ->
+         app (keep (fun e -> eqb e tau) (fun u -> Sliding (u, q)) l) ((tau,
+           q) :: []))
+     | Sequence (p0, q) ->
+       on_one (go p0)
+         (map (fun m ->
+           if eqb (fst m) tick
+           then (tau, q)
+           else ((fst m), (Sequence ((snd m), q)))))
+     | Interrupt (a, p0, q) ->
+       on_both (go p0) (go q) (fun l k ->
+         app
+           (keep (fun e -> negb (eqb e tick)) (fun u -> Interrupt (a, u, q))
+             (outside d a l))
+           (app
+             (keep (fun e -> eqb e tau) (fun u -> Interrupt (a, p0, u))
+               (outside d a k))
+             (joint (within d a) (fun x x0 -> Interrupt (a, x, x0)) l k)))
+     | Throw (a, p0, q) ->
+       on_one (go p0)
+         (map (fun m -> ((fst m),
+           (if within d a (fst m)
+            then q
+            else if eqb (fst m) tick then snd m else Throw (a, (snd m), q)))))
+     | Parallel (only_p, only_q, both, p0, q) ->
+       on_both (go p0) (go q) (fun l k ->
+         app
+           (map (fun m -> ((fst m), (Parallel (only_p, only_q, both, 
+             (snd m), q)))) (filter (fun m -> alone d only_p (fst m)) l))
+           (app
+             (map (fun m -> ((fst m), (Parallel (only_p, only_q, both, p0,
+               (snd m))))) (filter (fun m -> alone d only_q (fst m)) k))
+             (joint (together d both) (fun x x0 -> Parallel (only_p, only_q,
+               both, x, x0)) l k)))
+     | Hide (a, p0) ->
+       on_one (go p0)
+         (map (fun m -> ((hidden d a (fst m)), (Hide (a, (snd m))))))
+     | Rename (r, p0) ->
+       on_one (go p0)
+         (flat_map (fun m ->
+           map (fun e -> (e, (Rename (r, (snd m))))) (new_names d r (fst m))))
+     | Prioritise (o, p0) ->
+       on_one (go p0) (fun l ->
+         map (fun m -> ((fst m), (Prioritise (o, (snd m)))))
+           (filter (fun m ->
+             negb (existsb (fun m' -> beats d o (fst m') (fst m)) l)) l))))
+    bound
+
+type script = { defines : definitions; main : term }
+
+(** val eq_term : term -> term -> bool **)
+
+let rec eq_term p q =
+  match p with
+  | Offer l ->
+    (match q with
+     | Offer k ->
+       let rec same l0 k0 =
+         match l0 with
+         | [] -> (match k0 with
+                  | [] -> true
+                  | _ :: _ -> false)
+         | y :: l1 ->
+           let (a, p0) = y in
+           (match k0 with
+            | [] -> false
+            | y0 :: k1 ->
+              let (b, q0) = y0 in
+              if eqb a b
+              then if eq_term p0 q0 then same l1 k1 else false
+              else false)
+       in same l k
+     | _ -> false)
+  | Call k -> (match q with
+               | Call l -> eqb k l
+               | _ -> false)
+  | Choice (a, p0, q0) ->
+    (match q with
+     | Choice (b, p', q') ->
+       if eqb a b
+       then if eq_term p0 p' then eq_term q0 q' else false
+       else false
+     | _ -> false)
+  | Sliding (p0, q0) ->
+    (match q with
+     | Sliding (p', q') -> if eq_term p0 p' then eq_term q0 q' else false
+     | _ -> false)
+  | Sequence (p0, q0) ->
+    (match q with
+     | Sequence (p', q') -> if eq_term p0 p' then eq_term q0 q' else false
+     | _ -> false)
+  | Interrupt (a, p0, q0) ->
+    (match q with
+     | Interrupt (b, p', q') ->
+       if eqb a b
+       then if eq_term p0 p' then eq_term q0 q' else false
+       else false
+     | _ -> false)
+  | Throw (a, p0, q0) ->
+    (match q with
+     | Throw (b, p', q') ->
+       if eqb a b
+       then if eq_term p0 p' then eq_term q0 q' else false
+       else false
+     | _ -> false)
+  | Parallel (a, b, c, p0, q0) ->
+    (match q with
+     | Parallel (a', b', c', p', q') ->
+       if eqb a a'
+       then if eqb b b'
+            then if eqb c c'
+                 then if eq_term p0 p' then eq_term q0 q' else false
+                 else false
+            else false
+       else false
+     | _ -> false)
+  | Hide (a, p0) ->
+    (match q with
+     | Hide (b, q0) -> if eqb a b then eq_term p0 q0 else false
+     | _ -> false)
+  | Rename (a, p0) ->
+    (match q with
+     | Rename (b, q0) -> if eqb a b then eq_term p0 q0 else false
+     | _ -> false)
+  | Prioritise (a, p0) ->
+    (match q with
+     | Prioritise (b, q0) -> if eqb a b then eq_term p0 q0 else false
+     | _ -> false)
+
+(** val distinct : Uint63.t -> ev list -> ev list **)
+
+let distinct events l =
+  snd
+    (fold_left (fun x e ->
+      let (t, found) = x in
+      if Parray.get t e then x else ((Parray.set t e true), (e :: found))) l
+      ((Parray.make events false), []))
+
+type tree =
+| Leaf of int
+| Beside of Uint63.t * Uint63.t * Uint63.t * tree * tree
+| Hidden of Uint63.t * tree
+| Renamed of Uint63.t * tree
+| Prioritised of Uint63.t * tree
+
+type split = { whole_tree : tree; slots : int; states : (int -> Uint63.t);
+               meaning : (int -> Uint63.t -> term);
+               number_of : (int -> term -> Uint63.t);
+               alphabet : (int -> ev list); enough : int;
+               event_bound : Uint63.t }
+
+type vector = { gives : ev; rank_of : Uint63.t option; wants : (int * ev) list }
+
+(** val rule_of : vector -> rule **)
+
+let rule_of v =
+  { does = v.gives; level = v.rank_of; asks = v.wants; puts = [] }
+
+type compiled = participant list * vector list
+
+(** val region_of : compiled -> region **)
+
+let region_of c =
+  Region ((fst c), (map rule_of (snd c)))
+
+(** val each : ev list -> vector list **)
+
+let each l =
+  map (fun e -> { gives = e; rank_of = None; wants = ((0, e) :: []) }) l
+
+(** val free : vector list -> bool **)
+
+let free vs =
+  forallb (fun v -> match v.rank_of with
+                    | Some _ -> false
+                    | None -> true) vs
+
+(** val boxed : Uint63.t -> compiled -> compiled **)
+
+let boxed events c =
+  if free (snd c)
+  then c
+  else (((Inner (region_of c)) :: []),
+         (each (distinct events (map (fun v -> v.gives) (snd c)))))
+
+(** val relabel : (ev -> ev list) -> compiled -> compiled **)
+
+let relabel f c =
+  ((fst c),
+    (flat_map (fun v ->
+      map (fun e -> { gives = e; rank_of = v.rank_of; wants = v.wants })
+        (f v.gives)) (snd c)))
+
+(** val ranked_by : (ev -> Uint63.t option) -> compiled -> compiled **)
+
+let ranked_by f c =
+  ((fst c),
+    (map (fun v -> { gives = v.gives; rank_of = (f v.gives); wants =
+      v.wants }) (snd c)))
+
+(** val shift0 : int -> (int * ev) list -> (int * ev) list **)
+
+let shift0 n l =
+  map (fun x -> ((add n (fst x)), (snd x))) l
+
+(** val shifted : int -> vector -> vector **)
+
+let shifted n v =
+  { gives = v.gives; rank_of = None; wants = (shift0 n v.wants) }
+
+(** val beside :
+    Uint63.t -> (ev -> bool) -> (ev -> bool) -> (ev -> bool) -> compiled ->
+    compiled -> compiled **)
+
+let beside events on_p on_q on_both0 c d =
+  let n = length (fst c) in
+  let others0 =
+    table events (fun e ->
+      if on_both0 e then filter (fun v -> eqb v.gives e) (snd d) else [])
+  in
+  ((app (fst c) (fst d)),
+  (app (filter (fun v -> on_p v.gives) (snd c))
+    (app (map (shifted n) (filter (fun v -> on_q v.gives) (snd d)))
+      (flat_map (fun v ->
+        if on_both0 v.gives
+        then map (fun w -> { gives = v.gives; rank_of = None; wants =
+               (app v.wants (shift0 n w.wants)) }) (others0 v.gives)
+        else []) (snd c)))))
+
+(** val compile : definitions -> split -> tree -> compiled **)
+
+let compile d x =
+  let events = x.event_bound in
+  let rec compile0 = function
+  | Leaf k -> (((Slot k) :: []), (each (x.alphabet k)))
+  | Beside (only_p, only_q, both, t0, u) ->
+    beside events (alone d only_p) (alone d only_q) (together d both)
+      (boxed events (compile0 t0)) (boxed events (compile0 u))
+  | Hidden (a, t0) -> relabel (fun e -> (hidden d a e) :: []) (compile0 t0)
+  | Renamed (r, t0) -> relabel (new_names d r) (compile0 t0)
+  | Prioritised (o, t0) -> ranked_by (rank d o) (boxed events (compile0 t0))
+  in compile0
+
+(** val term_of : split -> Uint63.t list -> tree -> term **)
+
+let rec term_of x s = function
+| Leaf k -> x.meaning k (nth k s (Uint63.of_int (0)))
+| Beside (a, b, c, t0, u) ->
+  Parallel (a, b, c, (term_of x s t0), (term_of x s u))
+| Hidden (a, t0) -> Hide (a, (term_of x s t0))
+| Renamed (r, t0) -> Rename (r, (term_of x s t0))
+| Prioritised (o, t0) -> Prioritise (o, (term_of x s t0))
+
+(** val leaves : tree -> int list **)
+
+let rec leaves = function
+| Leaf k -> k :: []
+| Beside (_, _, _, t0, u) -> app (leaves t0) (leaves u)
+| Hidden (_, t0) -> leaves t0
+| Renamed (_, t0) -> leaves t0
+| Prioritised (_, t0) -> leaves t0
+
+(** val row :
+    definitions -> split -> int -> Uint63.t -> (ev * Uint63.t) list **)
+
+let row d x k v =
+  match moves_of d x.enough (x.meaning k v) with
+  | Some l -> map (fun m -> ((fst m), (x.number_of k (snd m)))) l
+  | None -> []
+
+(** val split_system : definitions -> split -> system **)
+
+let split_system d x =
+  let rows = map (fun k -> table (x.states k) (row d x k)) (seq 0 x.slots) in
+  { edges = (fun k -> nth k rows (fun _ -> [])); start =
+  (repeat (Uint63.of_int (0)) x.slots); whole =
+  (region_of (compile d x x.whole_tree)) }
+
+(** val known : split -> int -> term -> bool **)
+
+let known x k p =
+  let v = x.number_of k p in
+  if ltb0 v (x.states k) then eq_term (x.meaning k v) p else false
+
+(** val component_ok : definitions -> split -> int -> bool **)
+
+let component_ok d x =
+  let events = x.event_bound in
+  (fun k ->
+  let listed =
+    fold_left (fun t e -> Parray.set t e true) (x.alphabet k)
+      (Parray.make events false)
+  in
+  (&&) (ltb0 (Uint63.of_int (0)) (x.states k))
+    (all_below (fun v ->
+      match moves_of d x.enough (x.meaning k v) with
+      | Some l ->
+        forallb (fun m ->
+          if Parray.get listed (fst m) then known x k (snd m) else false) l
+      | None -> false) (x.states k)))
+
+(** val no_repetition : int list -> bool **)
+
+let rec no_repetition = function
+| [] -> true
+| x :: l0 -> (&&) (negb (existsb ((=) x) l0)) (no_repetition l0)
+
+(** val split_ok : definitions -> split -> term -> bool **)
+
+let split_ok d x p =
+  (&&)
+    ((&&)
+      ((&&)
+        (eq_term
+          (term_of x (repeat (Uint63.of_int (0)) x.slots) x.whole_tree) p)
+        (forallb (fun k -> Nat.ltb k x.slots) (leaves x.whole_tree)))
+      (no_repetition (leaves x.whole_tree)))
+    (forallb (component_ok d x) (seq 0 x.slots))
+
+(** val certify_scripts :
+    model -> script -> split -> shape -> script -> split -> shape ->
+    normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool **)
+
+let certify_scripts m spec xs hs impl xi hi n e p =
+  (&&)
+    ((&&) (split_ok spec.defines xs spec.main)
+      (split_ok impl.defines xi impl.main))
+    (certify_refinement m hs (split_system spec.defines xs) hi
+      (split_system impl.defines xi) n e p)
+
+(** val certify_script :
+    property -> script -> split -> shape -> Uint63.t list pairs -> bool **)
+
+let certify_script p impl xi hi p0 =
+  (&&) (split_ok impl.defines xi impl.main)
+    (certify_property p hi (split_system impl.defines xi) p0)

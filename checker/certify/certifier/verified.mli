@@ -78,6 +78,8 @@ val skipn : int -> 'a1 list -> 'a1 list
 
 val seq : int -> int -> int list
 
+val repeat : 'a1 -> int -> 'a1 list
+
 module Z :
  sig
   val double : z -> z
@@ -516,3 +518,124 @@ val certify_refinement :
 
 val certify_property :
   property -> shape -> system -> Uint63.t list pairs -> bool
+
+type term =
+| Offer of (ev * term) list
+| Call of Uint63.t
+| Choice of Uint63.t * term * term
+| Sliding of term * term
+| Sequence of term * term
+| Interrupt of Uint63.t * term * term
+| Throw of Uint63.t * term * term
+| Parallel of Uint63.t * Uint63.t * Uint63.t * term * term
+| Hide of Uint63.t * term
+| Rename of Uint63.t * term
+| Prioritise of Uint63.t * term
+
+type definitions = { body : (Uint63.t -> term);
+                     has : (Uint63.t -> ev -> bool);
+                     names : (Uint63.t -> ev -> ev list);
+                     priority : (Uint63.t -> ev -> Uint63.t option) }
+
+type moves_to = (ev * term) list
+
+val invisible : ev -> bool
+
+val within : definitions -> Uint63.t -> ev -> bool
+
+val new_names : definitions -> Uint63.t -> ev -> ev list
+
+val hidden : definitions -> Uint63.t -> ev -> ev
+
+val rank : definitions -> Uint63.t -> ev -> Uint63.t option
+
+val beats : definitions -> Uint63.t -> ev -> ev -> bool
+
+val alone : definitions -> Uint63.t -> ev -> bool
+
+val together : definitions -> Uint63.t -> ev -> bool
+
+val keep : (ev -> bool) -> (term -> term) -> moves_to -> moves_to
+
+val outside : definitions -> Uint63.t -> moves_to -> moves_to
+
+val joint :
+  (ev -> bool) -> (term -> term -> term) -> moves_to -> moves_to -> moves_to
+
+val on_one : moves_to option -> (moves_to -> moves_to) -> moves_to option
+
+val on_both :
+  moves_to option -> moves_to option -> (moves_to -> moves_to -> moves_to) ->
+  moves_to option
+
+val moves_of : definitions -> int -> term -> moves_to option
+
+type script = { defines : definitions; main : term }
+
+val eq_term : term -> term -> bool
+
+val distinct : Uint63.t -> ev list -> ev list
+
+type tree =
+| Leaf of int
+| Beside of Uint63.t * Uint63.t * Uint63.t * tree * tree
+| Hidden of Uint63.t * tree
+| Renamed of Uint63.t * tree
+| Prioritised of Uint63.t * tree
+
+type split = { whole_tree : tree; slots : int; states : (int -> Uint63.t);
+               meaning : (int -> Uint63.t -> term);
+               number_of : (int -> term -> Uint63.t);
+               alphabet : (int -> ev list); enough : int;
+               event_bound : Uint63.t }
+
+type vector = { gives : ev; rank_of : Uint63.t option; wants : (int * ev) list }
+
+val rule_of : vector -> rule
+
+type compiled = participant list * vector list
+
+val region_of : compiled -> region
+
+val each : ev list -> vector list
+
+val free : vector list -> bool
+
+val boxed : Uint63.t -> compiled -> compiled
+
+val relabel : (ev -> ev list) -> compiled -> compiled
+
+val ranked_by : (ev -> Uint63.t option) -> compiled -> compiled
+
+val shift0 : int -> (int * ev) list -> (int * ev) list
+
+val shifted : int -> vector -> vector
+
+val beside :
+  Uint63.t -> (ev -> bool) -> (ev -> bool) -> (ev -> bool) -> compiled ->
+  compiled -> compiled
+
+val compile : definitions -> split -> tree -> compiled
+
+val term_of : split -> Uint63.t list -> tree -> term
+
+val leaves : tree -> int list
+
+val row : definitions -> split -> int -> Uint63.t -> (ev * Uint63.t) list
+
+val split_system : definitions -> split -> system
+
+val known : split -> int -> term -> bool
+
+val component_ok : definitions -> split -> int -> bool
+
+val no_repetition : int list -> bool
+
+val split_ok : definitions -> split -> term -> bool
+
+val certify_scripts :
+  model -> script -> split -> shape -> script -> split -> shape ->
+  normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool
+
+val certify_script :
+  property -> script -> split -> shape -> Uint63.t list pairs -> bool
