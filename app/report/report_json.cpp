@@ -213,10 +213,11 @@ Json refused_json(const RefusedReport& refused) {
 
 Json certificate_json(const driver::CertificateReport& certificate) {
     if (certificate.folders.empty()) return {{"reason", certificate.reason}};
-    Json json{{"level", "product"},
+    Json json{{"level", certificate.level},
               {"reduced", false},
               {"folders", certificate.folders},
               {"certified", certificate.certification == driver::Certification::certified}};
+    if (!certificate.why_product.empty()) json["why_product_level"] = certificate.why_product;
     if (certificate.certification == driver::Certification::certified) {
         json["pairs"] = certificate.pairs;
         json["components"] = certificate.components;

@@ -10,6 +10,7 @@
 #include "base/cache/sha256.hpp"
 #include "base/diagnostics/files.hpp"
 #include "checker/certify/process_text.hpp"
+#include "checker/certify/term_text.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/refine/search/budget.hpp"
 
@@ -45,8 +46,9 @@ std::string claim_text(const std::string& words, const cspm::Session& session, c
                        const std::string& source, const Certificate& parts) {
     std::string text = fmt::format(
         "robochart-verify certificate 1\nclaim: {}\nassertion: {}\nsource: {}\nsource-sha256: {}\n"
-        "level: product, unreduced\nspecification-sha256: {}\nimplementation-sha256: {}\n",
+        "level: {}, unreduced\nspecification-sha256: {}\nimplementation-sha256: {}\n",
         words, one_line(cspm::print(assertion)), one_line(source), diagnostics::sha256(cspm::print(session.script())),
+        level_name(parts.level),
         parts.specification.empty() ? "-" : diagnostics::sha256(parts.specification),
         diagnostics::sha256(parts.implementation));
     return text + fmt::format("end-sha256: {}\n", diagnostics::sha256(text));
@@ -62,6 +64,31 @@ bool is_nested(const std::vector<cspm::DeclPtr>& declarations, const cspm::Decl&
 
 CertificateResult none(std::string reason) {
     return {std::nullopt, std::move(reason)};
+}
+
+/// Returns the text of the term that an expression denotes. An error in a definition that no state reaches, and which
+/// the search has not evaluated, is a reason for the product level.
+TermText text_of_term(cspm::Session& session, const cspm::ExprPtr& expression, diagnostics::Pollable& budget) {
+    try {
+        return term_text(session.terms(), session.process(expression), budget);
+    } catch (const cspm::EvaluationError& error) {
+        return {std::nullopt, error.what()};
+    } catch (const process::SemanticsError& error) {
+        return {std::nullopt, error.what()};
+    }
+}
+
+/// Replaces the compiled processes of a certificate by their terms if all of them can be written.
+void replace_by_terms(cspm::Session& session, const Assertion& assertion, diagnostics::Pollable& budget,
+                      Certificate& certificate) {
+    const bool refinement = assertion.kind == AssertionKind::refinement;
+    TermText first = text_of_term(session, assertion.specification, budget);
+    TermText second = first.text && refinement ? text_of_term(session, assertion.implementation, budget) : TermText{};
+    certificate.why_product = first.reason + second.reason;
+    if (!certificate.why_product.empty()) return;
+    certificate.level = Level::term;
+    if (refinement) certificate.specification = std::move(*first.text);
+    certificate.implementation = std::move(refinement ? *second.text : *first.text);
 }
 
 CertificateResult make_from_sides(const std::string& words, cspm::Session& session, const cspm::Decl& assertion,
@@ -80,13 +107,19 @@ CertificateResult make_from_sides(const std::string& words, cspm::Session& sessi
     if (!first || (refinement && !second))
         return none(fmt::format("a process that is not compiled has more than {} states", most_explicit_states));
     Certificate result;
+    result.level = Level::product;
     result.specification = refinement ? first->text : "";
     result.implementation = refinement ? second->text : first->text;
+    replace_by_terms(session, assertion.assertion, budget, result);
     result.claim = claim_text(words, session, assertion, source, result);
     return {std::move(result), ""};
 }
 
 }  // namespace
+
+const char* level_name(Level level) {
+    return level == Level::term ? "term" : "product";
+}
 
 CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion, const std::string& source,
                                    const refine::Limits& limits) {

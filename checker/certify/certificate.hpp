@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes certificates of assertions that hold (docs/certificates.md). A certificate contains the claim and the compiled
-// processes that the claim is about, without reductions. A separate program, which was proved correct in Coq, finds the
+// Writes certificates of assertions that hold (docs/certificates.md). A certificate contains the claim, and the terms or
+// the compiled processes that the claim is about, without reductions. A separate program, which was proved correct in Coq, finds the
 // proof in the certificate or rejects the certificate (checker/certify/certifier). Its result does not depend on the
 // correctness of this code.
 #pragma once
@@ -14,8 +14,16 @@
 
 namespace robochart::certify {
 
+/// What a certificate is about: the terms of the script, or the processes to which they were compiled.
+enum class Level { term, product };
+
+/// Returns "term" or "product".
+[[nodiscard]] const char* level_name(Level level);
+
 /// The contents of the files of a certificate.
 struct Certificate {
+    Level level = Level::term;
+    std::string why_product;     ///< why the terms could not be written; "" at the term level
     std::string claim;           ///< claim.txt
     std::string specification;   ///< specification.txt; "" for a property of one process
     std::string implementation;  ///< implementation.txt
@@ -27,8 +35,8 @@ struct CertificateResult {
     std::string reason;  ///< "" if there is a certificate
 };
 
-/// Compiles the processes of an assertion again, without minimisation, and returns its certificate. Does not check that
-/// the assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
+/// Compiles the processes of an assertion again, without minimisation, and returns its certificate. The certificate is
+/// at the term level if both terms can be written (term_text.hpp). Does not check that the assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
                                                  const std::string& source, const refine::Limits& limits);
 

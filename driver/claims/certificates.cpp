@@ -32,8 +32,10 @@ std::vector<certify::Certificate> make_certificates(cspm::Session& session, cons
             report.reason = one.reason;
             return {};
         }
+        if (report.why_product.empty()) report.why_product = one.certificate->why_product;
         result.push_back(std::move(*one.certificate));
     }
+    report.level = certify::level_name(report.why_product.empty() ? certify::Level::term : certify::Level::product);
     return result;
 }
 
@@ -155,8 +157,13 @@ std::string certificate_text(const CertificateReport& report) {
             return fmt::format("certificate {}, not checked: {}", folders,
                                diagnostics::escape_for_display(report.reason));
         case Certification::certified:
-            return fmt::format("holds (certified: product level, unreduced, {}, {}); certificate {}",
-                               counted(report.pairs, "pair"), counted(report.components, "component"), folders);
+            return fmt::format("holds (certified: {} level, unreduced, {}, {}{}); certificate {}", report.level,
+                               counted(report.pairs, "pair"), counted(report.components, "component"),
+                               report.why_product.empty()
+                                   ? ""
+                                   : fmt::format("; not at the term level, because {}",
+                                                 diagnostics::escape_for_display(report.why_product)),
+                               folders);
         case Certification::refused:
             return fmt::format("certificate {}, REFUSED by robochart-certify: {}", folders,
                                diagnostics::escape_for_display(report.reason));

@@ -7,10 +7,13 @@ type 'a array = 'a Array.t
 type figures = { pairs : int; nodes : int; transitions : int; components : int; rules : int }
 type answer = Certified of figures | Refused of string | Undecided of string
 
-(* The data to which the theorem is applied. *)
+(* A side of the claim: a compiled process, or a term and how it is split. *)
+type subject = System of system | Split_term of script * split
+
+(* The data to which the theorems are applied. *)
 type proof =
-  | Of_refinement of model * shape * system * shape * system * normal_form * int list evidence * int list pairs
-  | Of_property of property * shape * system * int list pairs
+  | Of_refinement of model * shape * subject * shape * subject * normal_form * int list evidence * int list pairs
+  | Of_property of property * shape * subject * int list pairs
 
 (* Returns the layout of packed states: for each word, the numbers of bits of its components. *)
 let layout_of sizes event_count =
@@ -75,8 +78,17 @@ let property_task property : Search.task =
     forbid_cycles = property <> Deadlock_free;
     event_fault = (fun _ _ -> "") }
 
+(* Returns the process of a side, and what the theorem is about. *)
+let process_of side ~event_count ~most : Formats.process * subject =
+  match side with
+  | Formats.Compiled process -> (process, System process.system)
+  | Formats.Term text ->
+      let split, process = Splitter.split text ~event_count ~most in
+      (process, Split_term (text.script, split))
+
 (* What the search needs to check the implementation, from the claim and its specification. *)
 type plan = {
+  process : Formats.process;  (** the implementation *)
   shape : shape;
   name : int -> string;
   task : Search.task;
@@ -87,10 +99,12 @@ type plan = {
 
 let plan_of ?(forge = Fun.id) (claim : Formats.claim) ~most =
   let name = claim.event_name in
-  let impl = claim.implementation in
-  let shape = shape_of impl claim.event_count in
+  let process_of side = process_of side ~event_count:claim.event_count ~most in
+  let process, impl = process_of claim.implementation in
+  let shape = shape_of process claim.event_count in
   match (claim.question, claim.specification) with
-  | Refinement model, Some spec ->
+  | Refinement model, Some side ->
+      let spec, subject = process_of side in
       let spec_shape = shape_of spec claim.event_count in
       let spec_lts = compact spec_shape spec.system in
       let graph = Search.new_graph spec_lts.succ0 in
@@ -98,42 +112,52 @@ let plan_of ?(forge = Fun.id) (claim : Formats.claim) ~most =
       let normal = Search.normal_form_of nodes in
       let choose = Search.chooser nodes claim.event_count in
       let evidence = Search.evidence_of graph spec_lts.init nodes in
-      { shape; name; task = refinement_task nodes normal model choose name; choose; nodes;
-        completed = (fun pairs -> Of_refinement (model, spec_shape, spec.system, shape, impl.system, normal, evidence, pairs)) }
+      { process; shape; name; task = refinement_task nodes normal model choose name; choose; nodes;
+        completed = (fun pairs -> Of_refinement (model, spec_shape, subject, shape, impl, normal, evidence, pairs)) }
   | Property property, None ->
-      { shape; name; task = property_task property; choose = (fun _ _ -> 0); nodes = [||];
-        completed = (fun pairs -> Of_property (property, shape, impl.system, pairs)) }
+      { process; shape; name; task = property_task property; choose = (fun _ _ -> 0); nodes = [||];
+        completed = (fun pairs -> Of_property (property, shape, impl, pairs)) }
   | _ -> raise (Formats.Unreadable "a specification belongs to a refinement, and to nothing else")
 
-let search_pairs ?(lenient = false) (claim : Formats.claim) plan ~most =
-  let lts = compact plan.shape claim.implementation.system in
+let search_pairs ?(lenient = false) plan ~most =
+  let lts = compact plan.shape plan.process.system in
   Search.pairs_for ~lenient lts (width plan.shape) plan.task ~most ~name:plan.name
-    ~state_name:(state_name claim.implementation plan.shape)
+    ~state_name:(state_name plan.process plan.shape)
 
 (* Finds the evidence before the check. With `lenient`, for tests, it overlooks violations; the check must then refuse
    the evidence. *)
 let prove ?(lenient = false) ?forge (claim : Formats.claim) ~most =
   let plan = plan_of ?forge claim ~most in
-  let found = search_pairs ~lenient claim plan ~most in
+  let found = search_pairs ~lenient plan ~most in
   (plan.completed (Search.pairs_record found plan.choose), plan.nodes, found)
 
-(* Runs the verified check. The theorem `program_sound` states what its answer `true` means. Only this answer certifies
-   a claim. *)
+(* Runs the verified check. The theorems `program_sound` and `script_sound` state what its answer `true` means. Only this
+   answer certifies a claim. *)
 let accepted = function
-  | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, pairs) ->
+  | Of_refinement (model, spec_shape, System spec, shape, System impl, normal, evidence, pairs) ->
       certify_refinement model spec_shape spec shape impl normal evidence pairs
-  | Of_property (property, shape, impl, pairs) -> certify_property property shape impl pairs
+  | Of_refinement (model, spec_shape, Split_term (spec, xs), shape, Split_term (impl, xi), normal, evidence, pairs) ->
+      certify_scripts model spec xs spec_shape impl xi shape normal evidence pairs
+  | Of_refinement _ -> false
+  | Of_property (property, shape, System impl, pairs) -> certify_property property shape impl pairs
+  | Of_property (property, shape, Split_term (impl, x), pairs) -> certify_script property impl x shape pairs
 
 (* Returns which part of the check refuses. *)
-let first_refused = function
+let first_refused proof =
+  let system = function System system -> system | Split_term (script, split) -> split_system script.defines split in
+  let split = function System _ -> true | Split_term (script, split) -> split_ok script.defines split script.main in
+  match proof with
   | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, _) ->
-      if not (shape_ok spec_shape spec) then "the specification is not a well-formed process"
-      else if not (shape_ok shape impl) then "the implementation is not a well-formed process"
-      else if not (check_specification (compact spec_shape spec) eq_words normal evidence model) then
+      if not (split spec && split impl) then "the check refuses the components of a term"
+      else if not (shape_ok spec_shape (system spec)) then "the specification is not a well-formed process"
+      else if not (shape_ok shape (system impl)) then "the implementation is not a well-formed process"
+      else if not (check_specification (compact spec_shape (system spec)) eq_words normal evidence model) then
         "the check refuses the normal form of the specification"
       else "the check refuses the pairs"
   | Of_property (_, shape, impl, _) ->
-      if not (shape_ok shape impl) then "the process is not well-formed" else "the check refuses the pairs"
+      if not (split impl) then "the check refuses the components of a term"
+      else if not (shape_ok shape (system impl)) then "the process is not well-formed"
+      else "the check refuses the pairs"
 
 let guarded f =
   try f () with
@@ -154,8 +178,8 @@ let certify (claim : Formats.claim) ~most =
       if try accepted proof with Search.Loop_of_taus -> false then
         Certified
           { pairs = walk.pairs.filled; nodes = Array.length plan.nodes; transitions = walk.moves_seen;
-            components = Array.length claim.implementation.component_names; rules = claim.implementation.rule_count }
+            components = Array.length plan.process.component_names; rules = plan.process.rule_count }
       else begin
-        ignore (search_pairs claim plan ~most);
+        ignore (search_pairs plan ~most);
         Refused (first_refused proof)
       end)

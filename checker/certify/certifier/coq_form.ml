@@ -174,14 +174,15 @@ let event_list (claim : Formats.claim) =
 let theorem (claim : Formats.claim) ~most =
   let out = Buffer.create 1_000_000 in
   let proof, nodes, found = Certificate_check.prove claim ~most in
+  let compiled = function Formats.Compiled process -> process | Formats.Term _ -> raise (Search.Limit "todo") in
   Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   Product level, unreduced: the theorem is about the compiled processes below.\n\n   Events: 0: tau, 1: tick\n%s*)\n"
     (comment claim.assertion) (comment claim.source) claim.question_text (event_list claim);
   Buffer.add_string out Proofs.text;
   Buffer.add_string out preamble;
   (match proof with
   | Certificate_check.Of_refinement (model, spec_shape, _, shape, _, _, evidence, _) ->
-      system out "specification" (Option.get claim.specification) spec_shape;
-      system out "implementation" claim.implementation shape;
+      system out "specification" (compiled (Option.get claim.specification)) spec_shape;
+      system out "implementation" (compiled claim.implementation) shape;
       normal_form out nodes evidence;
       pairs_of out found ~choose:"fun n moves => fitting (get node_acceptances n) moves";
       let m = model_name model in
@@ -190,7 +191,7 @@ let theorem (claim : Formats.claim) ~most =
         (Printf.sprintf
            "refinement_sound %s specification_shape specification implementation_shape implementation normal reasons found" m)
   | Of_property (property, shape, _, _) ->
-      system out "implementation" claim.implementation shape;
+      system out "implementation" (compiled claim.implementation) shape;
       pairs_of out found ~choose:"fun _ _ => 0";
       let p = property_name property in
       prove out

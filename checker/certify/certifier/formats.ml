@@ -146,15 +146,17 @@ let rec read_region event lines header rules_read =
       Region (inside, times rules (fun () -> read_rule event lines))
   | _ -> fail lines "a region has numbers of participants and rules"
 
-let read_process names file text =
-  let lines = lines_of file text in
-  if next_line lines <> "robochart-verify process 1" then fail lines "this is not a process of version 1";
+let finish lines =
+  if next_line lines <> "end" then fail lines "`end` was expected";
+  if lines.at <> String.length lines.text then fail lines "the file goes on after its end"
+
+(* Reads a compiled process after its first line. *)
+let read_compiled names lines =
   let event = read_events names lines in
   let components = times (count lines "components") (fun () -> read_component event lines) in
   let rule_count = ref 0 in
   let whole = read_region event lines (keyword lines "region") rule_count in
-  if next_line lines <> "end" then fail lines "`end` was expected";
-  if lines.at <> String.length text then fail lines "the file goes on after its end";
+  finish lines;
   let component_edges = Array.of_list (List.map (fun (edges, _, _) -> edges) components) in
   let edges k v =
     if k < 0 || k >= Array.length component_edges then []
@@ -166,6 +168,92 @@ let read_process names file text =
     sizes = List.map (fun (rows, _, _) -> Array.length rows) components;
     component_names = Array.of_list (List.map (fun (_, _, name) -> name) components);
     component_edges; rule_count = !rule_count }
+
+(* A term with its definitions. The texts of definitions are for readers only. *)
+type script_text = { script : script; texts : string array }
+
+(* Reads a set: `+` and its events, or `-` and the events outside of it. *)
+let read_set event lines =
+  let listed = Hashtbl.create 10 in
+  let add words = List.iter (fun word -> Hashtbl.replace listed (event (number lines word)) ()) words in
+  match words (next_line lines) with
+  | "+" :: events -> add events; fun e -> Hashtbl.mem listed e
+  | "-" :: events -> add events; fun e -> not (Hashtbl.mem listed e)
+  | _ -> fail lines "a set was expected"
+
+(* Reads pairs of an event and a number. Returns, by event, the numbers in order. *)
+let read_relation event lines value =
+  let found = Hashtbl.create 10 in
+  let add (e, x) = Hashtbl.replace found (event e) (value x :: Option.value ~default:[] (Hashtbl.find_opt found (event e))) in
+  List.iter add (List.rev (pairs_of lines (numbers lines (next_line lines))));
+  fun e -> Option.value ~default:[] (Hashtbl.find_opt found e)
+
+(* A table whose entries are found by number. *)
+let read_table lines word read =
+  let entries = Array.of_list (times (count lines word) read) in
+  ((fun k -> if k < Array.length entries then k else fail lines ("there are fewer " ^ word)), Array.get entries)
+
+(* Reads an expression. A number denotes a call. *)
+let read_term lines event definition set renaming order text =
+  let left = ref (words text) in
+  let word () = match !left with [] -> fail lines "a term ends too early" | word :: rest -> left := rest; word in
+  let index check = check (number lines (word ())) in
+  let rec term () =
+    match word () with
+    | "offer" ->
+        let branches = number lines (word ()) in
+        if branches > String.length text then fail lines "there are fewer branches than this";
+        Offer (times branches (fun () -> let e = event (number lines (word ())) in (e, term ())))
+    | "choice" -> let a = index set in let p = term () in Choice (a, p, term ())
+    | "sliding" -> let p = term () in Sliding (p, term ())
+    | "sequence" -> let p = term () in Sequence (p, term ())
+    | "interrupt" -> let a = index set in let p = term () in Interrupt (a, p, term ())
+    | "throw" -> let a = index set in let p = term () in Throw (a, p, term ())
+    | "parallel" ->
+        let a = index set in let b = index set in let c = index set in
+        let p = term () in Parallel (a, b, c, p, term ())
+    | "hide" -> let a = index set in Hide (a, term ())
+    | "rename" -> let r = index renaming in Rename (r, term ())
+    | "prioritise" -> let o = index order in Prioritise (o, term ())
+    | name -> Call (definition (number lines name))
+  in
+  let result = term () in
+  if !left <> [] then fail lines "a term goes on after its end";
+  result
+
+(* Reads a term with its definitions, after the first line. *)
+let read_script names lines =
+  let event = read_events names lines in
+  let set, has = read_table lines "sets" (fun () -> read_set event lines) in
+  let renaming, names = read_table lines "renamings" (fun () -> read_relation event lines event) in
+  let order, levels = read_table lines "orders" (fun () -> read_relation event lines Fun.id) in
+  let number_of_definitions = count lines "definitions" in
+  let definition k = if k < number_of_definitions then k else fail lines "there are fewer definitions" in
+  let term = read_term lines event definition set renaming order in
+  let definitions =
+    Array.of_list
+      (times number_of_definitions (fun () ->
+           let line = next_line lines in
+           match String.index_opt line '#' with
+           | Some at when at > 0 -> (term (String.sub line 0 (at - 1)), String.sub line (at + 1) (String.length line - at - 1))
+           | _ -> (term line, "")))
+  in
+  let main = term (keyword lines "main") in
+  finish lines;
+  let priority o e = match levels o e with level :: _ -> Some level | [] -> None in
+  { script = { defines = { body = (fun k -> fst definitions.(k)); has; names; priority }; main };
+    texts = Array.map snd definitions }
+
+type side = Compiled of process | Term of script_text
+
+let level_of = function Compiled _ -> "product" | Term _ -> "term"
+
+let read_side names file text =
+  let lines = lines_of file text in
+  match next_line lines with
+  | "robochart-verify process 1" -> Compiled (read_compiled names lines)
+  | "robochart-verify term 1" -> Term (read_script names lines)
+  | _ -> fail lines "this is neither a process nor a term of version 1"
 
 (* The kind of the claim. *)
 type question = Refinement of model | Property of property
@@ -183,8 +271,8 @@ type claim = {
   question_text : string;
   assertion : string;
   source : string;
-  specification : process option;  (** only for a refinement *)
-  implementation : process;
+  specification : side option;  (** only for a refinement *)
+  implementation : side;
   event_name : int -> string;
   event_count : int;
 }
@@ -204,7 +292,7 @@ let read_claim folder =
   let assertion = keyword lines "assertion:" in
   let source = keyword lines "source:" in
   let _source_digest = keyword lines "source-sha256:" in
-  if keyword lines "level:" <> "product, unreduced" then fail lines "this certificate is of another level";
+  let level = keyword lines "level:" in
   let specification = keyword lines "specification-sha256:" in
   let implementation = keyword lines "implementation-sha256:" in
   let covered = String.sub text 0 lines.at in
@@ -216,7 +304,11 @@ let read_claim folder =
     | None -> unreadable "%s: the claim `%s` is not known" file question_text
   in
   let names = no_names () in
-  let read file digest = read_process names file (read_part folder file digest) in
+  let read file digest =
+    let side = read_side names file (read_part folder file digest) in
+    if level <> level_of side ^ ", unreduced" then unreadable "%s: the level in claim.txt is another one" file;
+    side
+  in
   let specification =
     match question with
     | Refinement _ -> Some (read "specification.txt" specification)

@@ -6,9 +6,13 @@ let usage =
   \       robochart-certify --coq CERTIFICATE > File.v\n\
    Checks the certificates in the folders. Exit code 0: all are certified; 1: some are refused; 2: wrong use.\n"
 
-let trusted =
-  "Trusted: that the processes in the certificates are those of the assertions (robochart-verify compiled them), Coq and \
-   its extraction, OCaml, and this program's reader of files."
+(* What must be trusted, by the levels of the accepted certificates. *)
+let trusted levels =
+  let at level text = if List.mem level levels then text else "" in
+  "Trusted: "
+  ^ at "term" "at the term level, that robochart-verify read and evaluated the script to the terms in the certificates; "
+  ^ at "product" "at the product level, that robochart-verify also compiled these terms to the processes in the certificates; "
+  ^ "Coq and its extraction, OCaml, and this program's reader of files."
 
 let wrong_use why =
   prerr_string ("robochart-certify: " ^ why ^ "\n" ^ usage);
@@ -40,33 +44,34 @@ let plural n word = Printf.sprintf "%s %s%s" (grouped n) word (if n = 1 then "" 
 
 let decide ~most folder =
   match Formats.read_claim folder with
-  | exception Formats.Unreadable why -> ("", Certificate_check.Refused why)
-  | claim -> (claim.source, Certificate_check.certify claim ~most)
+  | exception Formats.Unreadable why -> ("", "", Certificate_check.Refused why)
+  | claim -> (claim.source, Formats.level_of claim.implementation, Certificate_check.certify claim ~most)
 
+(* Prints the answer. Returns the level of an accepted certificate. *)
 let show ~most ~quiet folder =
-  let source, answer = decide ~most folder in
+  let source, level, answer = decide ~most folder in
   let refuse why =
     Printf.printf "REFUSED    %s: %s%s\n%!" (printable folder)
       (if source = "" then "" else printable source ^ ": ")
       (printable why);
-    false
+    None
   in
   match answer with
   | Certificate_check.Certified figures ->
       if not quiet then
-        Printf.printf "CERTIFIED  %s: %s: product level, unreduced, %s, %s\n%!" (printable folder) (printable source)
+        Printf.printf "CERTIFIED  %s: %s: %s level, unreduced, %s, %s\n%!" (printable folder) (printable source) level
           (plural figures.pairs "pair") (plural figures.components "component");
-      true
+      Some level
   | Refused why -> refuse why
   | Undecided why -> refuse ("not decided: " ^ why)
 
 (* Prints one line for programs: a word, and figures or the reason. *)
 let print_answer folder ~most =
   let line, code =
-    match snd (decide ~most folder) with
-    | Certificate_check.Certified figures -> (Printf.sprintf "certified %d %d" figures.pairs figures.components, 0)
-    | Refused why -> ("refused " ^ printable why, 1)
-    | Undecided why -> ("undecided " ^ printable why, 1)
+    match decide ~most folder with
+    | _, _, Certificate_check.Certified figures -> (Printf.sprintf "certified %d %d" figures.pairs figures.components, 0)
+    | _, _, Refused why -> ("refused " ^ printable why, 1)
+    | _, _, Undecided why -> ("undecided " ^ printable why, 1)
   in
   print_endline line;
   exit code
@@ -74,9 +79,10 @@ let print_answer folder ~most =
 let check_all paths ~most ~quiet =
   let folders = List.concat_map certificates_in paths in
   if folders = [] then wrong_use "there are no certificates";
-  let refused = List.length (List.filter not (List.map (show ~most ~quiet) folders)) in
+  let levels = List.filter_map (show ~most ~quiet) folders in
+  let refused = List.length folders - List.length levels in
   Printf.printf "%s certified, %d refused\n" (grouped (List.length folders - refused)) refused;
-  if not quiet then print_endline trusted;
+  if not quiet then print_endline (trusted levels);
   exit (if refused = 0 then 0 else 1)
 
 let print_theorem folder ~most =
