@@ -72,8 +72,8 @@ struct CertificateReport {
     Certification certification = Certification::unchecked;
     std::uint64_t pairs = 0;       ///< the pairs that robochart-certify has checked
     std::uint64_t components = 0;  ///< the number of components of the implementations
-    std::string level;             ///< "term", or "product" if one of the certificates is at the product level
-    std::string why_product;       ///< why a certificate is not at the term level; "" if all of them are
+    std::string level{};           ///< "term", or "product" if one of the certificates is at the product level
+    std::string why_product{};     ///< why a certificate is not at the term level; "" if all of them are
 };
 
 /// One assertion with its answer.

@@ -79,11 +79,11 @@ let property_task property : Search.task =
     event_fault = (fun _ _ -> "") }
 
 (* Returns the process of a side, and what the theorem is about. *)
-let process_of side ~event_count ~most : Formats.process * subject =
+let process_of ?forge side ~event_count ~most : Formats.process * subject =
   match side with
   | Formats.Compiled process -> (process, System process.system)
   | Formats.Term text ->
-      let split, process = Splitter.split text ~event_count ~most in
+      let split, process = Splitter.split ?forge text ~event_count ~most in
       (process, Split_term (text.script, split))
 
 (* What the search needs to check the implementation, from the claim and its specification. *)
@@ -97,9 +97,9 @@ type plan = {
   completed : Search.words pairs -> proof;
 }
 
-let plan_of ?(forge = Fun.id) (claim : Formats.claim) ~most =
+let plan_of ?(forge = Fun.id) ?split_forge (claim : Formats.claim) ~most =
   let name = claim.event_name in
-  let process_of side = process_of side ~event_count:claim.event_count ~most in
+  let process_of side = process_of ?forge:split_forge side ~event_count:claim.event_count ~most in
   let process, impl = process_of claim.implementation in
   let shape = shape_of process claim.event_count in
   match (claim.question, claim.specification) with
@@ -126,8 +126,8 @@ let search_pairs ?(lenient = false) plan ~most =
 
 (* Finds the evidence before the check. With `lenient`, for tests, it overlooks violations; the check must then refuse
    the evidence. *)
-let prove ?(lenient = false) ?forge (claim : Formats.claim) ~most =
-  let plan = plan_of ?forge claim ~most in
+let prove ?(lenient = false) ?forge ?split_forge (claim : Formats.claim) ~most =
+  let plan = plan_of ?forge ?split_forge claim ~most in
   let found = search_pairs ~lenient plan ~most in
   (plan.completed (Search.pairs_record found plan.choose), plan.nodes, found)
 

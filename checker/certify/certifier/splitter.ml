@@ -33,6 +33,22 @@ let depth_bound = 10_000
 (* A component with its states, which are numbered in the order of a breadth-first search. *)
 type component = { terms : term array; numbers : int Terms.t; rows : (int * int) list array }
 
+(* Refuses definitions whose recursion reaches no event, because their moves cannot be computed. *)
+let require_events (text : Formats.script_text) =
+  let finished = Hashtbl.create 100 and open_calls = Hashtbl.create 100 in
+  let rec visit = function
+    | Offer _ -> ()
+    | Call k when Hashtbl.mem finished k -> ()
+    | Call k when Hashtbl.mem open_calls k -> raise (Search.Refuted "a term has a recursion that reaches no event")
+    | Call k ->
+        Hashtbl.add open_calls k ();
+        visit (text.script.defines.body k);
+        Hashtbl.replace finished k ()
+    | Choice (_, p, q) | Interrupt (_, p, q) | Parallel (_, _, _, p, q) -> visit p; visit q
+    | Sliding (p, _) | Sequence (p, _) | Throw (_, p, _) | Hide (_, p) | Rename (_, p) | Prioritise (_, p) -> visit p
+  in
+  Array.iteri (fun k _ -> visit (Call k)) text.texts
+
 let explore definitions first ~most =
   let numbers = Terms.create 100 in
   let queue = Queue.create () in
@@ -51,7 +67,7 @@ let explore definitions first ~most =
   while not (Queue.is_empty queue) do
     let p = Queue.pop queue in
     match moves_of definitions depth_bound p with
-    | None -> raise (Search.Refuted "a term has a recursion that reaches no event")
+    | None -> raise (Search.Refuted "a term is nested too deeply")
     | Some moves ->
         terms := p :: !terms;
         rows := List.map (fun (a, q) -> (a, number q)) moves :: !rows
@@ -81,8 +97,9 @@ let events_of rows =
 let rec count_rules (Region (inside, rules)) =
   List.fold_left (fun n -> function Slot _ -> n | Inner r -> n + count_rules r) (List.length rules) inside
 
-(* Splits a term, and returns the system that the verified code makes of it. *)
-let split (text : Formats.script_text) ~event_count ~most : split * Formats.process =
+(* Splits a term, and returns the system that the verified code makes of it. Tests change the split by `forge`. *)
+let split ?(forge = Fun.id) (text : Formats.script_text) ~event_count ~most : split * Formats.process =
+  require_events text;
   let definitions = text.script.defines in
   let whole_tree, leaves = tree_of text.script.main in
   (* Equal operands have one table. *)
@@ -97,16 +114,19 @@ let split (text : Formats.script_text) ~event_count ~most : split * Formats.proc
   in
   let components = Array.of_list (List.map component leaves) in
   let alphabets = Array.map (fun c -> events_of c.rows) components in
-  let state_count k = Array.length components.(k).terms in
   let split =
-    { whole_tree; slots = Array.length components; states = state_count;
-      meaning = (fun k v -> if v < state_count k then components.(k).terms.(v) else Offer []);
-      number_of = (fun k p -> Option.value ~default:0 (Terms.find_opt components.(k).numbers p));
-      alphabet = Array.get alphabets; enough = depth_bound; event_bound = event_count }
+    forge
+      { whole_tree; slots = Array.length components; states = (fun k -> Array.length components.(k).terms);
+        meaning = (fun k v -> if v < Array.length components.(k).terms then components.(k).terms.(v) else Offer []);
+        number_of = (fun k p -> Option.value ~default:0 (Terms.find_opt components.(k).numbers p));
+        alphabet = Array.get alphabets; enough = depth_bound; event_bound = event_count }
   in
-  let name leaf k = match leaf with Call d when text.texts.(d) <> "" -> text.texts.(d) | _ -> Printf.sprintf "component %d" k in
+  let name k = function
+    | Call d when text.texts.(d) <> "" -> text.texts.(d)
+    | _ -> Printf.sprintf "component %d" k
+  in
   let system = split_system definitions split in
   ( split,
-    { system; sizes = List.init split.slots state_count;
-      component_names = Array.of_list (List.mapi (fun k leaf -> name leaf k) leaves);
-      component_edges = Array.map (fun c -> c.rows) components; rule_count = count_rules system.whole } )
+    { system; sizes = List.map (fun c -> Array.length c.rows) (Array.to_list components); component_names = Array.of_list (List.mapi name leaves);
+      component_edges = Array.mapi (fun k c -> Array.init (Array.length c.rows) (system.edges k)) components;
+      rule_count = count_rules system.whole } )

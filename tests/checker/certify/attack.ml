@@ -127,8 +127,8 @@ let stable_offer succ s =
 
 let subset a b = List.for_all (fun x -> List.mem x b) a
 
-let refinement_holds model spec impl =
-  let ss = memo (successors spec) and si = memo (successors impl) in
+let refinement_holds model (spec_start, spec_steps) (impl_start, impl_steps) =
+  let ss = memo spec_steps and si = memo impl_steps in
   let close l = reachable ss l (fun e -> e = 0) in
   let divergent_spec = memo (List.exists (diverges ss)) and divergent_impl = memo (diverges si) in
   let seen = Hashtbl.create 50 in
@@ -151,18 +151,174 @@ let refinement_holds model spec impl =
                  (si s)
        end
   in
-  check impl.initial (close [ spec.initial ])
+  check impl_start (close [ spec_start ])
 
-let property_holds property impl =
-  let si = memo (successors impl) in
-  let all = reachable si [ impl.initial ] (fun _ -> true) in
+let property_holds property (impl_start, impl_steps) =
+  let si = memo impl_steps in
+  let all = reachable si [ impl_start ] (fun _ -> true) in
   (property = Divergence_free || List.for_all (fun s -> si s <> []) all)
   && (property = Deadlock_free || not (List.exists (diverges si) all))
+
+(** Random terms, as data of their own. Events: 0 tau, 1 tick, 2 to 6. *)
+type random_term =
+  | Do of (int * random_term) list
+  | Name of int
+  | Ext of int list * random_term * random_term
+  | Slide of random_term * random_term
+  | Seq of random_term * random_term
+  | Inter of int list * random_term * random_term
+  | Exc of int list * random_term * random_term
+  | Par of int list * int list * int list * random_term * random_term
+  | Hid of int list * random_term
+  | Ren of (int * int) list * random_term
+  | Pri of (int * int) list * random_term
+type random_script = { bodies : random_term array; root : random_term }
+
+let visible = [ 2; 3; 4; 5; 6 ]
+let some_events () = List.filter (fun _ -> Random.int 3 = 0) visible
+let simple = 4  (* the first definitions are simple: they only perform events *)
+
+(* The operands that stay inside of operators are simple, so the number of states is finite. *)
+let random_offer most =
+  Do (times (Random.int 4) (fun () ->
+    match Random.int 8 with 0 -> (0, Name (Random.int most)) | 1 -> (1, Do []) | _ -> (pick visible, Name (Random.int most))))
+let random_parallel p q =
+  let a = some_events () in
+  let others = List.filter (fun e -> not (List.mem e a)) visible in
+  match Random.int 3 with
+  | 0 -> Par (others, others, a, p, q)
+  | 1 -> let b = some_events () in let minus x y = List.filter (fun e -> not (List.mem e y)) x in
+      Par (minus a b, minus b a, List.filter (fun e -> List.mem e b) a, p, q)
+  | _ -> Par (some_events (), some_events (), some_events (), p, q)
+let random_unary p =
+  match Random.int 3 with
+  | 0 -> Hid (some_events (), p)
+  | 1 -> Ren (times (Random.int 3) (fun () -> (pick visible, pick visible)), p)
+  | _ -> Pri (List.map (fun e -> (e, Random.int 3)) (some_events ()), p)
+let random_body k =
+  if k < simple then random_offer simple
+  else
+    let low () = Name (Random.int simple) and any () = Name (Random.int k) in
+    match Random.int 9 with
+    | 0 -> Ext ((if Random.bool () then [] else some_events ()), low (), low ())
+    | 1 -> Slide (low (), any ())
+    | 2 | 3 -> Seq (low (), any ())
+    | 4 -> Inter ((if Random.bool () then [] else some_events ()), low (), low ())
+    | 5 -> Exc (some_events (), low (), any ())
+    | 6 -> random_parallel (low ()) (low ())
+    | 7 -> random_unary (low ())
+    | _ -> random_offer k
+let definitions_count = 7
+let rec random_root depth =
+  if depth = 0 || Random.int 5 = 0 then Name (Random.int definitions_count)
+  else if Random.bool () then random_parallel (random_root (depth - 1)) (random_root (depth - 1))
+  else random_unary (random_root (depth - 1))
+let random_script () = { bodies = Array.init definitions_count random_body; root = random_root 3 }
+let rec mutated_root = function
+  | Par (a, b, c, p, q) when Random.int 3 > 0 -> if Random.bool () then Par (a, b, c, mutated_root p, q) else Par (a, b, c, p, mutated_root q)
+  | Hid (a, p) when Random.int 3 > 0 -> Hid (a, mutated_root p)
+  | Ren (r, p) when Random.int 3 > 0 -> Ren (r, mutated_root p)
+  | Pri (o, p) when Random.int 3 > 0 -> Pri (o, mutated_root p)
+  | Par (_, _, _, p, q) -> random_parallel p q
+  | Hid (_, p) | Ren (_, p) | Pri (_, p) -> if Random.bool () then p else random_unary p
+  | other -> other
+let mutated_script t =
+  if Random.bool () then { t with root = mutated_root t.root }
+  else begin
+    let bodies = Array.copy t.bodies in
+    let k = Random.int definitions_count in
+    bodies.(k) <- random_body k;
+    { t with bodies }
+  end
+
+(** The text of a term. *)
+let script_text t =
+  let sets = ref [] and renamings = ref [] and orders = ref [] in
+  let number table line = table := !table @ [ line ]; string_of_int (List.length !table - 1) in
+  let set s =
+    let outside = Random.int 3 = 0 in
+    let listed = if outside then List.filter (fun e -> not (List.mem e s)) visible else s in
+    number sets (String.concat " " ((if outside then "-" else "+") :: List.map string_of_int listed)) in
+  let pairs l = String.concat " " (List.map (fun (a, b) -> Printf.sprintf "%d %d" a b) l) in
+  let rec words = function
+    | Do l -> String.concat " " ("offer" :: string_of_int (List.length l) :: List.map (fun (e, p) -> Printf.sprintf "%d %s" e (words p)) l)
+    | Name k -> string_of_int k
+    | Ext (a, p, q) -> Printf.sprintf "choice %s %s %s" (set a) (words p) (words q)
+    | Slide (p, q) -> Printf.sprintf "sliding %s %s" (words p) (words q)
+    | Seq (p, q) -> Printf.sprintf "sequence %s %s" (words p) (words q)
+    | Inter (a, p, q) -> Printf.sprintf "interrupt %s %s %s" (set a) (words p) (words q)
+    | Exc (a, p, q) -> Printf.sprintf "throw %s %s %s" (set a) (words p) (words q)
+    | Par (a, b, c, p, q) -> Printf.sprintf "parallel %s %s %s %s %s" (set a) (set b) (set c) (words p) (words q)
+    | Hid (a, p) -> Printf.sprintf "hide %s %s" (set a) (words p)
+    | Ren (r, p) -> Printf.sprintf "rename %s %s" (number renamings (pairs r)) (words p)
+    | Pri (o, p) -> Printf.sprintf "prioritise %s %s" (number orders (pairs o)) (words p) in
+  let bodies = List.mapi (fun k b -> Printf.sprintf "%s #P%d" (words b) k) (Array.to_list t.bodies) in
+  let root = words t.root in
+  let table name lines = String.concat "\n" (Printf.sprintf "%s %d" name (List.length lines) :: lines) in
+  String.concat "\n"
+    [ "robochart-verify term 1\nevents 5\na\nb\nc\nx\ny"; table "sets" !sets; table "renamings" !renamings; table "orders" !orders;
+      table "definitions" bodies; "main " ^ root; "end\n" ]
+
+(** The oracle for terms: the terms to which an event leads, by event. *)
+let term_steps bodies =
+  let names r e = match List.filter_map (fun (a, b) -> if a = e then Some b else None) r with [] -> [ e ] | l -> l in
+  let level o e = if e < 2 then Some 0 else List.assoc_opt e o in
+  let rec to_ p e =
+    match p with
+    | Do l -> List.filter_map (fun (a, q) -> if a = e then Some q else None) l
+    | Name k -> to_ (bodies k) e
+    | Ext (a, p, q) when e = 0 -> List.map (fun u -> Ext (a, u, q)) (to_ p 0) @ List.map (fun u -> Ext (a, p, u)) (to_ q 0)
+    | Ext (a, p, q) when e > 1 && List.mem e a -> both (to_ p e) (to_ q e) (fun u v -> Ext (a, u, v))
+    | Ext (_, p, q) -> to_ p e @ to_ q e
+    | Slide (p, q) -> if e = 0 then q :: List.map (fun u -> Slide (u, q)) (to_ p 0) else to_ p e
+    | Seq (p, q) ->
+        if e = 1 then []
+        else List.map (fun u -> Seq (u, q)) (to_ p e) @ if e = 0 then List.map (fun _ -> q) (to_ p 1) else []
+    | Inter (a, p, q) when e > 1 && List.mem e a -> both (to_ p e) (to_ q e) (fun u v -> Inter (a, u, v))
+    | Inter (a, p, q) ->
+        List.map (fun u -> if e = 1 then Do [] else Inter (a, u, q)) (to_ p e)
+        @ List.map (fun u -> if e = 0 then Inter (a, p, u) else u) (to_ q e)
+    | Exc (a, p, q) ->
+        List.map (fun u -> if e > 1 && List.mem e a then q else if e = 1 then Do [] else Exc (a, u, q)) (to_ p e)
+    | Par (a, b, c, p, q) ->
+        let par u v = Par (a, b, c, u, v) in
+        (if e = 0 || (e > 1 && List.mem e a) then List.map (fun u -> par u q) (to_ p e) else [])
+        @ (if e = 0 || (e > 1 && List.mem e b) then List.map (fun u -> par p u) (to_ q e) else [])
+        @ if e = 1 || (e > 1 && List.mem e c) then both (to_ p e) (to_ q e) par else []
+    | Hid (a, p) ->
+        let hidden = List.filter (fun d -> d > 1) a in
+        let all = if e = 0 then 0 :: hidden else if List.mem e hidden then [] else [ e ] in
+        List.map (fun u -> Hid (a, u)) (List.concat_map (to_ p) all)
+    | Ren (r, p) ->
+        let before = if e < 2 then [ e ] else List.filter (fun d -> List.mem e (names r d)) visible in
+        List.map (fun u -> Ren (r, u)) (List.concat_map (to_ p) before)
+    | Pri (o, p) ->
+        let stronger d = match (level o d, level o e) with Some k, Some l -> k < l | _ -> false in
+        if List.exists (fun d -> stronger d && to_ p d <> []) (0 :: 1 :: visible) then []
+        else List.map (fun u -> Pri (o, u)) (to_ p e)
+  and both l k f = List.concat_map (fun u -> List.map (f u) k) l in
+  fun p -> List.sort_uniq compare (List.concat_map (fun e -> List.map (fun u -> (e, u)) (to_ p e)) (0 :: 1 :: visible))
+
+(* Whether a term has few states, so that the oracle is fast. *)
+let is_small t =
+  let steps = term_steps (Array.get t.bodies) and seen = Hashtbl.create 50 in
+  let rec go p =
+    Hashtbl.mem seen p
+    || Hashtbl.length seen < 30
+       && begin
+            Hashtbl.add seen p ();
+            List.for_all (fun (_, q) -> go q) (steps p)
+          end
+  in
+  go t.root
+let rec small make =
+  let t = make () in
+  if is_small t then t else small make
 
 (** Attacks. *)
 let claim_of question specification implementation : Formats.claim =
   let names = Formats.no_names () in
-  let read text = Formats.read_process names "process" text in
+  let read text = Formats.read_side names "process" text in
   let specification = Option.map read specification in
   let implementation = read implementation in
   { question; question_text = ""; assertion = ""; source = ""; specification; implementation;
@@ -207,6 +363,11 @@ let forge_later_members nodes =
 
 let forges = [ forge_members; forge_later_members; Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
 
+(* The system of a subject. *)
+let system_of = function
+  | Certificate_check.System system -> system
+  | Split_term (script, split) -> split_system script.defines split
+
 (* Functions that lie in some places, always in the same way. *)
 let lying proof =
   let salt = Random.bits () and rate = 1 + Random.int 6 in
@@ -243,7 +404,7 @@ let lying proof =
 (* Members are derived from each other in circles, wherever there is a tau between them. *)
 let circular = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let lts = compact ls s in
+      let lts = compact ls (system_of s) in
       let source k j honest =
         let taus_to f = List.exists (fun (a, u) -> a = 0 && u = e.member k j) (lts.succ0 (e.member k f)) in
         match List.find_opt taus_to (List.init (e.size0 k) Fun.id) with
@@ -258,7 +419,7 @@ let circular = function
 (* Any member with the arc's event is given as the origin, and any member as the witness, whatever they lead to. *)
 let loose = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let lts = compact ls s in
+      let lts = compact ls (system_of s) in
       let first k chk = Option.value ~default:0 (List.find_opt chk (List.init (e.size0 k) Fun.id)) in
       let from k a = first k (fun f -> List.exists (fun (b, _) -> a = b) (lts.succ0 (e.member k f))) in
       let fitting k set =
@@ -279,7 +440,7 @@ let loose = function
 (* One member is reached as it says, and all others by taus from it. *)
 let chained = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let lts = compact ls s in
+      let lts = compact ls (system_of s) in
       let first k chk = Option.value ~default:0 (List.find_opt chk (List.init (e.size0 k) Fun.id)) in
       let chain reached from j = if j = reached then { by_event = true; from; depth = 0 } else { by_event = false; from = reached; depth = 1 } in
       let step k a u f = List.mem (a, e.member u f) (List.concat_map (fun g -> lts.succ0 (e.member k g)) (List.init (e.size0 k) Fun.id)) in
@@ -352,16 +513,78 @@ let damaged text =
   let text = Bytes.to_string b in
   if Random.int 8 = 0 then String.sub text 0 (Random.int (String.length text)) else text
 
-(* The random process that a text says, as the oracle reads it: with the reader's data, but its own semantics. *)
+(* The process of a file, as the oracle reads it: with the reader's data, but its own semantics. *)
 let process_of (p : Formats.process) =
   let rec part (Region (inside, rules)) =
     { inside = List.map (function Slot k -> S k | Inner r -> R (part r)) inside;
       rules = List.map (fun r -> (r.does, r.level, r.asks, r.puts)) rules } in
   { components = p.component_edges; initial = p.system.start; whole = part p.system.whole }
+let term_of_file (t : Formats.script_text) =
+  let { defines; main } = t.script in
+  let set a = List.filter (defines.has a) visible in
+  let renaming r = List.concat_map (fun e -> List.map (fun d -> (e, d)) (defines.names r e)) visible in
+  let order o = List.filter_map (fun e -> Option.map (fun l -> (e, l)) (defines.priority o e)) visible in
+  let rec term = function
+    | Offer l -> Do (List.map (fun (e, p) -> (e, term p)) l)
+    | Call k -> Name k
+    | Choice (a, p, q) -> Ext (set a, term p, term q)
+    | Sliding (p, q) -> Slide (term p, term q)
+    | Sequence (p, q) -> Seq (term p, term q)
+    | Interrupt (a, p, q) -> Inter (set a, term p, term q)
+    | Throw (a, p, q) -> Exc (set a, term p, term q)
+    | Parallel (a, b, c, p, q) -> Par (set a, set b, set c, term p, term q)
+    | Hide (a, p) -> Hid (set a, term p)
+    | Rename (r, p) -> Ren (renaming r, term p)
+    | Prioritise (o, p) -> Pri (order o, term p) in
+  (term main, term_steps (memo (fun k -> term (defines.body k))))
 
-let attack_question seed trial question spec impl truth =
-  let spec_text = Option.map text spec in
-  let claim = claim_of question spec_text (text impl) in
+(* Both kinds of processes with their oracles, for which the type of states is different. *)
+type side_truth = Of_process of (int list * (int list -> (int * int list) list)) | Of_term of (random_term * (random_term -> (int * random_term) list))
+let truth_of_file = function
+  | Formats.Compiled p -> let p = process_of p in Of_process (p.initial, successors p)
+  | Formats.Term t -> Of_term (term_of_file t)
+let truth question spec impl =
+  match (question, spec, impl) with
+  | Formats.Refinement m, Some (Of_process s), Of_process i -> refinement_holds m s i
+  | Formats.Refinement m, Some (Of_term s), Of_term i -> refinement_holds m s i
+  | Formats.Property p, None, Of_process i -> property_holds p i
+  | Formats.Property p, None, Of_term i -> property_holds p i
+  | _ -> false
+
+let truth_in_files question (claim : Formats.claim) =
+  truth question (Option.map truth_of_file claim.specification) (truth_of_file claim.implementation)
+
+(* Splits that forget or confuse what a term does. The search then works with the components that they give. *)
+let split_forges : (split -> split) list =
+  let hash salt key = Hashtbl.hash (salt, key) in
+  let salted f = let salt = Random.bits () in fun x -> f salt x in
+  let confused = salted (fun salt x -> { x with number_of = (fun k p -> let v = x.number_of k p in if hash salt (k, v) mod 3 = 0 then hash salt (k, v, 1) mod max 1 (x.states k) else v) }) in
+  let smaller = salted (fun salt x -> { x with states = (fun k -> max 1 (x.states k - (hash salt k mod 3))); number_of = (fun k p -> min (x.number_of k p) (max 0 (x.states k - 1 - (hash salt k mod 3)))) }) in
+  let other_meaning = salted (fun salt x -> { x with meaning = (fun k v -> if hash salt (k, v) mod 4 = 0 then x.meaning k (hash salt (k, v, 1) mod max 1 (x.states k)) else x.meaning k v) }) in
+  let stopped = salted (fun salt x -> { x with meaning = (fun k v -> if v > 0 && hash salt (k, v) mod 3 = 0 then Offer [] else x.meaning k v) }) in
+  let deaf = salted (fun salt x -> { x with alphabet = (fun k -> List.filter (fun e -> hash salt (k, e) mod 4 > 0) (x.alphabet k)) }) in
+  let rec leaves = function Leaf k -> [ k ] | Beside (_, _, _, t, u) -> leaves t @ leaves u | Hidden (_, t) | Renamed (_, t) | Prioritised (_, t) -> leaves t in
+  let rec tree change = function
+    | Beside (a, b, c, t, u) -> change (Beside (a, b, c, tree change t, tree change u))
+    | Hidden (a, t) -> change (Hidden (a, tree change t))
+    | Renamed (r, t) -> change (Renamed (r, tree change t))
+    | Prioritised (o, t) -> change (Prioritised (o, tree change t))
+    | leaf -> change leaf in
+  let changed change x = { x with whole_tree = tree change x.whole_tree } in
+  let without = changed (function (Hidden (_, t) | Renamed (_, t) | Prioritised (_, t)) when Random.bool () -> t | t -> t) in
+  let one_side = changed (function Beside (_, _, _, t, u) when Random.int 3 = 0 -> if Random.bool () then t else u | t -> t) in
+  let other_sets = changed (function Beside (a, b, c, t, u) when Random.bool () -> Beside (c, a, b, t, u) | Hidden (a, t) when a > 0 -> Hidden (a - 1, t) | t -> t) in
+  let swapped = changed (function Beside (a, b, c, t, u) when Random.bool () -> Beside (a, b, c, u, t) | t -> t) in
+  let twice x = changed (function Leaf k when Random.bool () -> Leaf (pick (leaves x.whole_tree)) | t -> t) x in
+  let first = salted (fun salt x -> { x with number_of = (fun k p -> if x.number_of k p = 0 then 0 else if hash salt k mod 2 = 0 then 0 else x.number_of k p) }) in
+  let started x = { x with meaning = (fun k v -> if x.states k > 1 && v = 0 then x.meaning k 1 else x.meaning k v) } in
+  let emptied = salted (fun salt x -> { x with states = (fun k -> if hash salt k mod 2 = 0 then 0 else x.states k) }) in
+  let short x = { x with enough = Random.int 4 } in
+  let fewer x = { x with slots = max 0 (x.slots - 1) } in
+  [ confused; smaller; other_meaning; stopped; deaf; without; one_side; other_sets; swapped; twice; first; started; emptied; short; fewer ]
+
+let attack_question seed trial question spec_text impl_text truth =
+  let claim = claim_of question spec_text impl_text in
   (match Certificate_check.certify claim ~most with
   | Certified _ -> if truth then incr held else report_wrong "an honest search" seed trial
   | Refused why | Undecided why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
@@ -386,19 +609,23 @@ let attack_question seed trial question spec impl truth =
     for _ = 1 to 3 do
       if accepted_attack (attempt forge lying) then (if truth then incr lies_accepted else report_wrong "a lie" seed trial)
     done) forges;
+  (match claim.implementation with
+  | Formats.Compiled _ -> ()
+  | Formats.Term _ ->
+      List.iter (fun split_forge ->
+        let attempt () =
+          let proof, _, _ = Certificate_check.prove ~lenient:true ~split_forge claim ~most in
+          Certificate_check.accepted proof in
+        if accepted_attack attempt then (if truth then incr lies_accepted else report_wrong "a forged split" seed trial)) split_forges);
   for _ = 1 to 4 do
     let spec_text = Option.map (fun t -> if Random.bool () then damaged t else t) spec_text in
-    let impl_text = damaged (text impl) in
+    let impl_text = damaged impl_text in
     match claim_of question spec_text impl_text with
     | exception Formats.Unreadable _ -> incr attacks; incr unreadable
     | claim ->
         if accepted_attack (fun () -> match Certificate_check.certify claim ~most:2_000 with Certified _ -> true | Refused _ | Undecided _ -> false) then begin
           incr files_accepted;
-          let impl = process_of claim.implementation in
-          let holds = match (question, claim.specification) with
-            | Formats.Refinement m, Some s -> refinement_holds m (process_of s) impl
-            | Formats.Property p, _ -> property_holds p impl
-            | _ -> false in
+          let holds = truth_in_files question claim in
           if not holds then report_wrong "a damaged file" seed trial
         end
   done
@@ -407,11 +634,22 @@ let () =
   let seed = int_of_string Sys.argv.(1) and trials = int_of_string Sys.argv.(2) in
   for trial = 1 to trials do
     Random.init ((1_000_003 * seed) + trial);
+    let attack_both (spec_text, spec_truth) (impl_text, impl_truth) =
+      List.iter (fun m ->
+        let question = Formats.Refinement m in
+        attack_question seed trial question (Some spec_text) impl_text (truth question (Some spec_truth) impl_truth)) [ T; F; FD ];
+      List.iter (fun p ->
+        let question = Formats.Property p in
+        attack_question seed trial question None impl_text (truth question None impl_truth))
+        [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ] in
     let spec = random_process () in
     let impl = if Random.int 7 = 0 then random_process () else mutated spec in
-    List.iter (fun m -> attack_question seed trial (Formats.Refinement m) (Some spec) impl (refinement_holds m spec impl)) [ T; F; FD ];
-    List.iter (fun p -> attack_question seed trial (Formats.Property p) None impl (property_holds p impl))
-      [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ]
+    let compiled p = (text p, Of_process (p.initial, successors p)) in
+    attack_both (compiled spec) (compiled impl);
+    let spec = small random_script in
+    let impl = small (fun () -> if Random.int 7 = 0 then random_script () else mutated_script spec) in
+    let term t = (script_text t, Of_term (t.root, term_steps (Array.get t.bodies))) in
+    attack_both (term spec) (term impl)
   done;
   Printf.printf "%d trials: %d claims hold, %d fail; %d attacks (%d could not be read, %d lies and %d damaged files that still hold); %d wrongly accepted, %d wrongly refused\n"
     trials !held !failed !attacks !unreadable !lies_accepted !files_accepted !wrong !lost;
