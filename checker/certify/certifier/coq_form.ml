@@ -29,15 +29,7 @@ let rec region (Region (inside, rules)) =
   in
   Printf.sprintf "Region %s\n    %s" (list participant inside) (list rule rules)
 
-let system out name (process : Formats.process) shape =
-  let row edges = list (fun (e, target) -> pair (number e) (number target)) edges in
-  let component rows = array ~default:"nil" row rows in
-  define out (name ^ "_rows") "array (array (list (ev * int)))"
-    (array ~default:"make 0 nil" component process.component_edges);
-  define out name "system"
-    (Printf.sprintf
-       "{| edges := fun k v => get (get %s_rows (of_Z (Z.of_nat k))) v;\n   start := %s;\n   whole := %s |}" name
-       (words process.system.start) (region process.system.whole));
+let shape_of out name (process : Formats.process) shape =
   let representatives k rows = array ~default:"0" number (Array.init (Array.length rows) (shape.merges.representative k)) in
   define out (name ^ "_merges") "array (array int)"
     (array ~default:"make 0 0" Fun.id (Array.mapi representatives process.component_edges));
@@ -47,6 +39,77 @@ let system out name (process : Formats.process) shape =
        \                  representative := fun k v => get (get %s_merges (of_Z (Z.of_nat k))) v |};\n\
        \   packs := {| groups := %s; event_count := %d |} |}"
        name name (list words shape.packs.groups) shape.packs.event_count)
+
+let system out name (process : Formats.process) =
+  let row edges = list (fun (e, target) -> pair (number e) (number target)) edges in
+  let component rows = array ~default:"nil" row rows in
+  define out (name ^ "_rows") "array (array (list (ev * int)))"
+    (array ~default:"make 0 nil" component process.component_edges);
+  define out name "system"
+    (Printf.sprintf
+       "{| edges := fun k v => get (get %s_rows (of_Z (Z.of_nat k))) v;\n   start := %s;\n   whole := %s |}" name
+       (words process.system.start) (region process.system.whole))
+
+let rec term = function
+  | Offer l -> Printf.sprintf "(Offer %s)" (list (fun (e, p) -> pair (number e) (term p)) l)
+  | Call k -> Printf.sprintf "(Call %d)" k
+  | Choice (a, p, q) -> Printf.sprintf "(Choice %d %s %s)" a (term p) (term q)
+  | Sliding (p, q) -> Printf.sprintf "(Sliding %s %s)" (term p) (term q)
+  | Sequence (p, q) -> Printf.sprintf "(Sequence %s %s)" (term p) (term q)
+  | Interrupt (a, p, q) -> Printf.sprintf "(Interrupt %d %s %s)" a (term p) (term q)
+  | Throw (a, p, q) -> Printf.sprintf "(Throw %d %s %s)" a (term p) (term q)
+  | Parallel (a, b, c, p, q) -> Printf.sprintf "(Parallel %d %d %d %s %s)" a b c (term p) (term q)
+  | Hide (a, p) -> Printf.sprintf "(Hide %d %s)" a (term p)
+  | Rename (r, p) -> Printf.sprintf "(Rename %d %s)" r (term p)
+  | Prioritise (o, p) -> Printf.sprintf "(Prioritise %d %s)" o (term p)
+
+let rec tree = function
+  | Leaf k -> Printf.sprintf "(Leaf %s)" (nat k)
+  | Beside (a, b, c, t, u) -> Printf.sprintf "(Beside %d %d %d %s %s)" a b c (tree t) (tree u)
+  | Hidden (a, t) -> Printf.sprintf "(Hidden %d %s)" a (tree t)
+  | Renamed (r, t) -> Printf.sprintf "(Renamed %d %s)" r (tree t)
+  | Prioritised (o, t) -> Printf.sprintf "(Prioritised %d %s)" o (tree t)
+
+(* Writes a term with its definitions, and how it is split. *)
+let script out name (text : Formats.script_text) (split : split) =
+  let { defines; main } = text.script in
+  let events = Array.init split.event_bound Fun.id in
+  let by_event part kind ~default count f =
+    define out (name ^ "_" ^ part) ("array (array (" ^ kind ^ "))")
+      (array ~default:("make 0 " ^ default) (fun k -> array ~default (f k) events) (Array.init count Fun.id))
+  in
+  by_event "sets" "bool" ~default:"false" text.sets (fun a e -> string_of_bool (defines.has a e));
+  by_event "renamings" "list ev" ~default:"nil" text.renamings (fun r e -> words (defines.names r e));
+  by_event "orders" "option int" ~default:"None" text.orders (fun o e ->
+      match defines.priority o e with None -> "None" | Some l -> Printf.sprintf "Some %d" l);
+  define out (name ^ "_bodies") "array term"
+    (array ~default:"(Offer nil)" term (Array.init (Array.length text.texts) defines.body));
+  define out name "script"
+    (Printf.sprintf
+       "{| defines := {| body := get %s_bodies; has := fun a e => get (get %s_sets a) e;\n\
+       \                 names := fun r e => get (get %s_renamings r) e;\n\
+       \                 priority := fun o e => get (get %s_orders o) e |};\n\
+       \   main := %s |}" name name name name (term main));
+  let components = Array.init split.slots Fun.id in
+  define out (name ^ "_states") "array (array term)"
+    (array ~default:"make 0 (Offer nil)"
+       (fun k -> array ~default:"(Offer nil)" term (Array.init (split.states k) (split.meaning k)))
+       components);
+  define out (name ^ "_alphabets") "array (list ev)" (array ~default:"nil" (fun k -> words (split.alphabet k)) components);
+  define out (name ^ "_split") "split"
+    (Printf.sprintf
+       "let states_of := fun k => get %s_states (of_Z (Z.of_nat k)) in\n\
+       \  {| whole_tree := %s; slots := %s; states := fun k => length (states_of k);\n\
+       \     meaning := fun k v => get (states_of k) v; number_of := fun k p => first_place (eq_term p) (states_of k);\n\
+       \     alphabet := fun k => get %s_alphabets (of_Z (Z.of_nat k)); enough := Z.to_nat %d; event_bound := %d |}"
+       name (tree split.whole_tree) (nat split.slots) name split.enough split.event_bound)
+
+(* Writes one side of the claim. *)
+let side out name side subject shape ~process =
+  (match (side, subject) with
+  | Formats.Term text, Certificate_check.Split_term (_, split) -> script out name text split
+  | _ -> system out name process);
+  shape_of out name process shape
 
 let origin o = Printf.sprintf "{| by_event := %b; from := %d; depth := %d |}" o.by_event o.from o.depth
 let no_origin = "{| by_event := true; from := 0; depth := 0 |}"
@@ -174,27 +237,36 @@ let event_list (claim : Formats.claim) =
 let theorem (claim : Formats.claim) ~most =
   let out = Buffer.create 1_000_000 in
   let proof, nodes, found = Certificate_check.prove claim ~most in
-  let compiled = function Formats.Compiled process -> process | Formats.Term _ -> raise (Search.Limit "todo") in
-  Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   Product level, unreduced: the theorem is about the compiled processes below.\n\n   Events: 0: tau, 1: tick\n%s*)\n"
-    (comment claim.assertion) (comment claim.source) claim.question_text (event_list claim);
+  let terms = Formats.level_of claim.implementation = "term" in
+  Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   %s\n\n   Events: 0: tau, 1: tick\n%s*)\n"
+    (comment claim.assertion) (comment claim.source) claim.question_text
+    (if terms then "Term level, unreduced: the theorem is about the terms below."
+    else "Product level, unreduced: the theorem is about the compiled processes below.")
+    (event_list claim);
   Buffer.add_string out Proofs.text;
   Buffer.add_string out preamble;
+  let process_of given = fst (Certificate_check.process_of given ~event_count:claim.event_count ~most) in
+  let write name given subject shape = side out name given subject shape ~process:(process_of given) in
+  let lts name = if terms then Printf.sprintf "(term_lts bound %s)" name else Printf.sprintf "(system_lts %s)" name in
+  let statement text = if terms then Printf.sprintf "eventually (fun bound => %s)" text else text in
+  let data name = if terms then Printf.sprintf "%s %s_split %s_shape" name name name else Printf.sprintf "%s_shape %s" name name in
   (match proof with
-  | Certificate_check.Of_refinement (model, spec_shape, _, shape, _, _, evidence, _) ->
-      system out "specification" (compiled (Option.get claim.specification)) spec_shape;
-      system out "implementation" (compiled claim.implementation) shape;
+  | Certificate_check.Of_refinement (model, spec_shape, spec, shape, impl, _, evidence, _) ->
+      write "specification" (Option.get claim.specification) spec spec_shape;
+      write "implementation" claim.implementation impl shape;
       normal_form out nodes evidence;
       pairs_of out found ~choose:"fun n moves => fitting (get node_acceptances n) moves";
       let m = model_name model in
       prove out
-        (Printf.sprintf "refines %s (system_lts specification) (system_lts implementation)" m)
-        (Printf.sprintf
-           "refinement_sound %s specification_shape specification implementation_shape implementation normal reasons found" m)
-  | Of_property (property, shape, _, _) ->
-      system out "implementation" (compiled claim.implementation) shape;
+        (statement (Printf.sprintf "refines %s %s %s" m (lts "specification") (lts "implementation")))
+        (Printf.sprintf "%s %s %s %s normal reasons found"
+           (if terms then "scripts_sound" else "refinement_sound")
+           m (data "specification") (data "implementation"))
+  | Of_property (property, shape, impl, _) ->
+      write "implementation" claim.implementation impl shape;
       pairs_of out found ~choose:"fun _ _ => 0";
       let p = property_name property in
       prove out
-        (Printf.sprintf "satisfies %s (system_lts implementation)" p)
-        (Printf.sprintf "property_sound %s implementation_shape implementation found" p));
+        (statement (Printf.sprintf "satisfies %s %s" p (lts "implementation")))
+        (Printf.sprintf "%s %s %s found" (if terms then "script_property_sound" else "property_sound") p (data "implementation")));
   Buffer.contents out

@@ -169,8 +169,8 @@ let read_compiled names lines =
     component_names = Array.of_list (List.map (fun (_, _, name) -> name) components);
     component_edges; rule_count = !rule_count }
 
-(* A term with its definitions. The texts of definitions are for readers only. *)
-type script_text = { script : script; texts : string array }
+(* A term with its definitions, and the lengths of its tables. The texts of definitions are for readers only. *)
+type script_text = { script : script; sets : int; renamings : int; orders : int; texts : string array }
 
 (* Reads a set: `+` and its events, or `-` and the events outside of it. *)
 let read_set event lines =
@@ -191,7 +191,8 @@ let read_relation event lines value =
 (* A table whose entries are found by number. *)
 let read_table lines word read =
   let entries = Array.of_list (times (count lines word) read) in
-  ((fun k -> if k < Array.length entries then k else fail lines ("there are fewer " ^ word)), Array.get entries)
+  let check k = if k < Array.length entries then k else fail lines ("there are fewer " ^ word) in
+  (Array.length entries, check, Array.get entries)
 
 (* Reads an expression. A number denotes a call. *)
 let read_term lines event definition set renaming order text =
@@ -224,9 +225,9 @@ let read_term lines event definition set renaming order text =
 (* Reads a term with its definitions, after the first line. *)
 let read_script names lines =
   let event = read_events names lines in
-  let set, has = read_table lines "sets" (fun () -> read_set event lines) in
-  let renaming, names = read_table lines "renamings" (fun () -> read_relation event lines event) in
-  let order, levels = read_table lines "orders" (fun () -> read_relation event lines Fun.id) in
+  let sets, set, has = read_table lines "sets" (fun () -> read_set event lines) in
+  let renamings, renaming, names = read_table lines "renamings" (fun () -> read_relation event lines event) in
+  let orders, order, levels = read_table lines "orders" (fun () -> read_relation event lines Fun.id) in
   let number_of_definitions = count lines "definitions" in
   let definition k = if k < number_of_definitions then k else fail lines "there are fewer definitions" in
   let term = read_term lines event definition set renaming order in
@@ -242,7 +243,7 @@ let read_script names lines =
   finish lines;
   let priority o e = match levels o e with level :: _ -> Some level | [] -> None in
   { script = { defines = { body = (fun k -> fst definitions.(k)); has; names; priority }; main };
-    texts = Array.map snd definitions }
+    sets; renamings; orders; texts = Array.map snd definitions }
 
 type side = Compiled of process | Term of script_text
 

@@ -16,9 +16,9 @@ Theorem scripts_sound : forall m spec Xs hs impl Xi hi N E P, certify_scripts m 
   eventually (fun bound => refines m (term_lts bound spec) (term_lts bound impl)).
 Proof.
   unfold certify_scripts. intros. rewrite !andb_true_iff in H. destruct H as [[S I] H]. apply refinement_sound in H.
-  exists (Nat.max (enough Xs + depth (whole_tree Xs)) (enough Xi + depth (whole_tree Xi))). intros bound L.
-  assert (LS : (enough Xs + depth (whole_tree Xs) <= bound)%nat) by lia.
-  assert (LI : (enough Xi + depth (whole_tree Xi) <= bound)%nat) by lia.
+  exists (Nat.max (enough Xs + height (whole_tree Xs)) (enough Xi + height (whole_tree Xi))). intros bound L.
+  assert (LS : (enough Xs + height (whole_tree Xs) <= bound)%nat) by lia.
+  assert (LI : (enough Xi + height (whole_tree Xi) <= bound)%nat) by lia.
   apply (refines_trans _ _ _ _ _ _ _ (proj2 (split_refines spec Xs S bound LS m))).
   exact (refines_trans _ _ _ _ _ _ _ H (proj1 (split_refines impl Xi I bound LI m))).
 Qed.
@@ -26,7 +26,7 @@ Theorem script_property_sound : forall p impl Xi hi P, certify_script p impl Xi 
   eventually (fun bound => satisfies p (term_lts bound impl)).
 Proof.
   unfold certify_script. intros. apply andb_true_iff in H. destruct H as [I H]. apply property_sound in H.
-  exists (enough Xi + depth (whole_tree Xi))%nat. intros bound L. exact (split_satisfies impl Xi I bound L p H).
+  exists (enough Xi + height (whole_tree Xi))%nat. intros bound L. exact (split_satisfies impl Xi I bound L p H).
 Qed.
 
 (* Both theorems in one statement. *)

@@ -387,11 +387,11 @@ Section Split.
     | Beside _ _ _ t u => leaves t ++ leaves u
     | Hidden _ t | Renamed _ t | Prioritised _ t => leaves t
     end.
-  Fixpoint depth (t : tree) : nat :=
+  Fixpoint height (t : tree) : nat :=
     match t with
     | Leaf _ => 0
-    | Beside _ _ _ t u => S (Nat.max (depth t) (depth u))
-    | Hidden _ t | Renamed _ t | Prioritised _ t => S (depth t)
+    | Beside _ _ _ t u => S (Nat.max (height t) (height u))
+    | Hidden _ t | Renamed _ t | Prioritised _ t => S (height t)
     end.
 
   Definition row (k : nat) (v : int) : list (ev * int) :=
@@ -602,14 +602,14 @@ Section Split.
       exists (a, q). subst. split; [ reflexivity |]. apply filter_In. split; [ exact K | apply eqb_refl ].
   Qed.
 
-  Theorem term_agrees : forall s, in_range s -> forall t n, (enough X + depth t <= n)%nat ->
+  Theorem term_agrees : forall s, in_range s -> forall t n, (enough X + height t <= n)%nat ->
     (forall k, In k (leaves t) -> (k < slots X)%nat) -> NoDup (leaves t) ->
     exists l, moves_of D n (term_of s t) = Some l /\ agrees s t l.
   Proof.
     intros s R. induction t as [k | a b c t IHt u IHu | a t IH | r t IH | o t IH]; intros n Hn HK ND.
     - destruct (leaf_agrees s k R (HK k (or_introl eq_refl))) as (l & E & A). exists l. split; [| exact A ].
       apply (moves_of_more _ _ _ _ E). cbn in Hn. lia.
-    - cbn [depth leaves] in *. destruct n as [| n]; [ lia |].
+    - cbn [height leaves] in *. destruct n as [| n]; [ lia |].
       destruct (IHt n ltac:(lia) (fun k H => HK k (in_or_app _ _ _ (or_introl H))) (NoDup_app_l _ _ ND)) as (l & El & C1 & A1).
       destruct (IHu n ltac:(lia) (fun k H => HK k (in_or_app _ _ _ (or_intror H))) (NoDup_app_r _ _ ND)) as (k & Ek & C2 & A2).
       cbn [term_of moves_of]. rewrite El, Ek. cbn [on_both]. eexists. split; [ reflexivity |].
@@ -653,7 +653,7 @@ Section Split.
           -- right. left. exists (term_of (apply s ch) u). rewrite (KT ch (C2 _ H) s eq_refl) in E. split; [ apply A2; eauto | auto ].
           -- right. right. subst ch. rewrite (KA x y (C2 _ K)), (KB x y (C1 _ H)) in E.
              exists (term_of (apply s x) t), (term_of (apply s y) u). split; [ apply A1; eauto |]. split; [ apply A2; eauto | auto ].
-    - cbn [depth leaves] in *. destruct n as [| n]; [ lia |]. destruct (IH n ltac:(lia) HK ND) as (l & El & C & A).
+    - cbn [height leaves] in *. destruct n as [| n]; [ lia |]. destruct (IH n ltac:(lia) HK ND) as (l & El & C & A).
       cbn [term_of moves_of]. rewrite El. cbn [on_one]. eexists. split; [ reflexivity |]. split.
       + intros [m ch] H. apply hidden_moves in H. destruct H as (e & _ & H). exact (C (e, ch) H).
       + intros m w. rewrite in_map_iff. split.
@@ -661,7 +661,7 @@ Section Split.
           split; [ apply hidden_moves; eauto |]. cbn [term_of]. subst. reflexivity.
         * intros (ch & H & E). apply hidden_moves in H. destruct H as (e & Em & H). exists (e, term_of (apply s ch) t).
           cbn [fst snd]. subst. split; [ reflexivity | apply A; eauto ].
-    - cbn [depth leaves] in *. destruct n as [| n]; [ lia |]. destruct (IH n ltac:(lia) HK ND) as (l & El & C & A).
+    - cbn [height leaves] in *. destruct n as [| n]; [ lia |]. destruct (IH n ltac:(lia) HK ND) as (l & El & C & A).
       cbn [term_of moves_of]. rewrite El. cbn [on_one]. eexists. split; [ reflexivity |]. split.
       + intros [m ch] H. apply renamed_moves in H. destruct H as (e & _ & H). exact (C (e, ch) H).
       + intros m w. rewrite in_flat_map. split.
@@ -669,7 +669,7 @@ Section Split.
           apply A in H. destruct H as (ch & H & Ep). exists ch. split; [ apply renamed_moves; eauto |]. cbn [term_of]. subst. reflexivity.
         * intros (ch & H & E). apply renamed_moves in H. destruct H as (e & Em & H). exists (e, term_of (apply s ch) t).
           split; [ apply A; eauto |]. apply in_map_iff. exists m. cbn [fst snd]. subst. auto.
-    - cbn [depth leaves] in *. destruct n as [| n]; [ lia |]. destruct (IH n ltac:(lia) HK ND) as (l & El & C & A).
+    - cbn [height leaves] in *. destruct n as [| n]; [ lia |]. destruct (IH n ltac:(lia) HK ND) as (l & El & C & A).
       cbn [term_of moves_of]. rewrite El. cbn [on_one]. eexists. split; [ reflexivity |]. split.
       + intros [m ch] H. apply prioritised_moves in H. destruct H as [H _]. exact (C (m, ch) H).
       + assert (P : forall m, existsb (fun m' => beats D o (fst m') m) l = true <->
@@ -711,7 +711,7 @@ Section Both_ways.
   Variable X : split.
   Hypothesis ok : split_ok (defines Z) X (main Z) = true.
   Variable bound : nat.
-  Hypothesis large : (enough X + depth (whole_tree X) <= bound)%nat.
+  Hypothesis large : (enough X + height (whole_tree X) <= bound)%nat.
   Let D := defines Z.
   Let Y := split_system D X.
   Let f (s : list int) : term := term_of X s (whole_tree X).
