@@ -33,7 +33,7 @@ try() { # prefix
   "$1/bin/robochart-verify" conform "$examples/swarm_taxis" -q --no-cache
   env -i "$1/bin/robochart-certify" "$examples/aggregation/certificates"
   env -i "$1/bin/robochart-verify" check "$examples/aggregation" --no-cache --certify "$folder/certificates-$(basename "$1")" >"$folder/report"
-  grep -F 'holds (certified: product level, unreduced, ' "$folder/report" >/dev/null
+  grep -F 'holds (certified: term level, unreduced, ' "$folder/report" >/dev/null
   "$1/bin/robochart-verify" simulate "$examples/aggregation/aggregation.scenario" --no-pictures -q --no-cache
 }
 

@@ -92,7 +92,7 @@ void replace_by_terms(cspm::Session& session, const Assertion& assertion, diagno
 }
 
 CertificateResult make_from_sides(const std::string& words, cspm::Session& session, const cspm::Decl& assertion,
-                                  const std::string& source, const refine::Limits& limits) {
+                                  const std::string& source, const refine::Limits& limits, Level highest) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     const auto text_of = [&](const cspm::ExprPtr& expression) {
         const std::unique_ptr<lts::TransitionSystem> side = session.whole_system(expression, limits);
@@ -110,7 +110,7 @@ CertificateResult make_from_sides(const std::string& words, cspm::Session& sessi
     result.level = Level::product;
     result.specification = refinement ? first->text : "";
     result.implementation = refinement ? second->text : first->text;
-    replace_by_terms(session, assertion.assertion, budget, result);
+    if (highest == Level::term) replace_by_terms(session, assertion.assertion, budget, result);
     result.claim = claim_text(words, session, assertion, source, result);
     return {std::move(result), ""};
 }
@@ -122,7 +122,7 @@ const char* level_name(Level level) {
 }
 
 CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion, const std::string& source,
-                                   const refine::Limits& limits) {
+                                   const refine::Limits& limits, Level highest) {
     const std::optional<std::string> words = claim_words(assertion.assertion);
     if (!words) return none("there are no certificates for this kind of assertion");
     if (assertion.assertion.negated)
@@ -131,7 +131,7 @@ CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& ass
     if (is_nested(session.script().decls, assertion, false))
         return none("there are no certificates for assertions inside modules and timed sections");
     try {
-        return make_from_sides(*words, session, assertion, source, limits);
+        return make_from_sides(*words, session, assertion, source, limits, highest);
     } catch (const process::Interrupted& limit) {
         return none(limit.what());
     }

@@ -153,7 +153,7 @@ private:
         definitions_text_ += operator_text(id, [this](TermId operand) { return definition_number(operand); });
         const auto call = texts_.find(id);
         if (call != texts_.end()) {
-            constexpr std::size_t longest = 100;
+            constexpr std::size_t longest = 60;
             const std::string text = one_line(terms_.definitions().describe_call(call->second));
             if (text.size() <= longest) definitions_text_ += " #" + text;
         }

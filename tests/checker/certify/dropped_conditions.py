@@ -15,7 +15,8 @@ certifier = here.parents[2] / "checker" / "certify" / "certifier"
 # Not in the list are conditions that others imply: bounds of numbers, which OCaml's arrays check too; that a witness is
 # stable, since no acceptance that a stable state offers contains tau; that tau has no arc, since no run uses it; that a pair
 # is visited at its place, since at the end each pair is the one that was visited at its place; and that a state with tick
-# has the acceptance {tick}, since the arc of tick comes from a member that can refuse everything else.
+# has the acceptance {tick}, since the arc of tick comes from a member that can refuse everything else; and that a leaf of a
+# split has a component, since merging_ok checks this.
 
 # The function, what is dropped in it, the text (a regular expression), and its replacement.
 drops = [
@@ -58,6 +59,22 @@ drops = [
     ("add_moves", "assignments", r"app first \(app way \(p0 :: l\)\)", "app first way"),
     ("add_moves", "other participants", r"\| \[\] -> app first way", "| [] -> first"),
     ("merging_ok", "equal states", r"else equal_edges", "else let equal_edges _ _ = true in equal_edges"),
+    ("certify_scripts", "specification", r"\(split_ok spec\.defines xs spec\.main\)", "true"),
+    ("certify_scripts", "implementation", r"\(split_ok impl\.defines xi impl\.main\)", "true"),
+    ("certify_script", "process", r"\(split_ok impl\.defines xi impl\.main\)", "true"),
+    ("split_ok", "whole term", r"\(eq_term\s+\(term_of x [^\n]*\) p\)", "true"),
+    ("split_ok", "different components", r"\(no_repetition \(leaves x\.whole_tree\)\)", "true"),
+    ("split_ok", "components", r"\(forallb \(component_ok d x\) \(seq 0 x\.slots\)\)", "true"),
+    ("component_ok", "first state", r"\(ltb0 \(Uint63\.of_int \(0\)\) \(x\.states k\)\)", "true"),
+    ("component_ok", "bound", r"\| None -> false", "| None -> true"),
+    ("component_ok", "events", r"if Parray\.get listed \(fst m\) then", "if true then"),
+    ("component_ok", "targets", r"then known x k \(snd m\)", "then true"),
+    ("known", "state", r"if ltb0 v \(x\.states k\) then", "if true then"),
+    ("known", "term", r"then eq_term \(x\.meaning k v\) p", "then true"),
+    ("eq_term", "call", r"\| Call l -> eqb k l", "| Call _ -> true"),
+    ("eq_term", "operands", r"then if eq_term p0 p' then eq_term q0 q' else false", "then true"),
+    ("eq_term", "sets", r"if eqb b b'", "if true"),
+    ("boxed", "levels of operands", r"if free \(snd c\)", "if true"),
 ]
 
 
