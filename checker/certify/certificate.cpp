@@ -48,8 +48,7 @@ std::string claim_text(const std::string& words, const cspm::Session& session, c
         "robochart-verify certificate 1\nclaim: {}\nassertion: {}\nsource: {}\nsource-sha256: {}\n"
         "level: {}, unreduced\nspecification-sha256: {}\nimplementation-sha256: {}\n",
         words, one_line(cspm::print(assertion)), one_line(source), diagnostics::sha256(cspm::print(session.script())),
-        level_name(parts.level),
-        parts.specification.empty() ? "-" : diagnostics::sha256(parts.specification),
+        level_name(parts.level), parts.specification.empty() ? "-" : diagnostics::sha256(parts.specification),
         diagnostics::sha256(parts.implementation));
     return text + fmt::format("end-sha256: {}\n", diagnostics::sha256(text));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes certificates of assertions that hold (docs/certificates.md). A certificate contains the claim, and the terms or
-// the compiled processes that the claim is about, without reductions. A separate program, which was proved correct in Coq, finds the
-// proof in the certificate or rejects the certificate (checker/certify/certifier). Its result does not depend on the
-// correctness of this code.
+// Writes certificates of assertions that hold (docs/certificates.md). A certificate contains the claim, and the terms
+// or the compiled processes that the claim is about, without reductions. A separate program, which was proved correct
+// in Coq, finds the proof in the certificate or rejects the certificate (checker/certify/certifier). Its result does
+// not depend on the correctness of this code.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes terms for certificates. Operators that are cases of another operator are written as that operator
 // (coq/Terms.v), and operators with several operands are written as trees of operators with two operands: choices and
-// parallel operators are associative (Roscoe, UCS, 2.1 and 3.4).
+// parallel operators are associative (Roscoe, UCS, 2.1 and 3.4). The order in which this code numbers events, sets and
+// definitions determines the text, so calls that number something are never arguments of the same call.
 #include "checker/certify/term_text.hpp"
 
 #include <fmt/format.h>
@@ -167,6 +168,9 @@ private:
             const std::string first = operand(term.children[0]);
             return fmt::format("{} {} {}", name, first, operand(term.children[1]));
         };
+        const auto with_one = [&](const char* name, const std::string& table_entry) {
+            return fmt::format("{} {} {}", name, table_entry, operand(term.children[0]));
+        };
         switch (term.op) {
             case Op::stop:
             case Op::omega:
@@ -178,8 +182,7 @@ private:
             case Op::run:
                 return offer_of_set(SetId{term.payload}, id);
             case Op::chaos:
-                return fmt::format("offer 2 0 {} 0 {}", stop_number(),
-                                   definition_number(terms_.intern_term(Term{Op::chaos_offer, term.payload, {}, {}})));
+                return chaos_text(term.payload);
             case Op::chaos_offer:
                 return offer_of_set(SetId{term.payload}, terms_.intern_term(Term{Op::chaos, term.payload, {}, {}}));
             case Op::prefix:
@@ -212,13 +215,11 @@ private:
             case Op::alphabetised:
                 return alphabetised_text(term, operand);
             case Op::hide:
-                return fmt::format("hide {} {}", set_number({SetId{term.payload}, false}), operand(term.children[0]));
+                return with_one("hide", set_number({SetId{term.payload}, false}));
             case Op::rename:
-                return fmt::format("rename {} {}", renamings_.number_of(process::RenamingId{term.payload}),
-                                   operand(term.children[0]));
+                return with_one("rename", std::to_string(renamings_.number_of(process::RenamingId{term.payload})));
             case Op::prioritise:
-                return fmt::format("prioritise {} {}", orders_.number_of(process::OrderId{term.payload}),
-                                   operand(term.children[0]));
+                return with_one("prioritise", std::to_string(orders_.number_of(process::OrderId{term.payload})));
             case Op::prioritise_order:
                 throw NotWritten{"it uses prioritisepo"};
             case Op::chase:
@@ -231,21 +232,30 @@ private:
         throw std::logic_error("a term that is not resolved");
     }
 
+    std::string chaos_text(std::uint32_t set) {
+        const std::string stop = stop_number();
+        const TermId offering = terms_.intern_term(Term{Op::chaos_offer, set, {}, {}});
+        return fmt::format("offer 2 0 {} 0 {}", stop, definition_number(offering));
+    }
     std::string stop_number() { return definition_number(terms_.intern_term(Term{Op::stop, 0, {}, {}})); }
 
     std::string offer_of_set(SetId set, TermId target) {
         const EventSet events = terms_[set];
         std::string text = fmt::format("offer {}", events.size());
-        for (const Event event : events)
-            text += fmt::format(" {} {}", events_.number_of(event),
-                                event == process::tick ? stop_number() : definition_number(target));
+        for (const Event event : events) {
+            const std::size_t number = events_.number_of(event);
+            const std::string after = event == process::tick ? stop_number() : definition_number(target);
+            text += fmt::format(" {} {}", number, after);
+        }
         return text;
     }
     std::string prefix_text(std::uint32_t prefix, const OperandText& operand) {
         const std::vector<process::Branch> branches = terms_.branches(prefix);
         std::string text = fmt::format("offer {}", branches.size());
-        for (const process::Branch& branch : branches)
-            text += fmt::format(" {} {}", events_.number_of(branch.event), operand(branch.target));
+        for (const process::Branch& branch : branches) {
+            const std::size_t number = events_.number_of(branch.event);
+            text += fmt::format(" {} {}", number, operand(branch.target));
+        }
         return text;
     }
 
@@ -276,16 +286,18 @@ private:
             const Group right = join(middle, end);
             Group both;
             std::ranges::set_union(left.alphabet, right.alphabet, std::back_inserter(both.alphabet));
-            both.text = fmt::format("parallel {} {} {} {} {}", set(difference(left.alphabet, right.alphabet)),
-                                    set(difference(right.alphabet, left.alphabet)),
-                                    set(intersection(left.alphabet, right.alphabet)), left.text, right.text);
+            const std::string of_left = set(difference(left.alphabet, right.alphabet));
+            const std::string of_right = set(difference(right.alphabet, left.alphabet));
+            const std::string shared = set(intersection(left.alphabet, right.alphabet));
+            both.text = fmt::format("parallel {} {} {} {} {}", of_left, of_right, shared, left.text, right.text);
             return both;
         };
         const Group all = join(0, term.children.size());
         if (term.children.size() > 1) return all.text;
         // One operand performs only events of its alphabet, beside a process that can only terminate.
+        const std::string alone = set(all.alphabet);
         const std::string none = set({});
-        return fmt::format("parallel {} {} {} {} {}", set(all.alphabet), none, none, all.text,
+        return fmt::format("parallel {} {} {} {} {}", alone, none, none, all.text,
                            operand(terms_.intern_term(Term{Op::skip, 0, {}, {}})));
     }
 
@@ -296,8 +308,8 @@ private:
         (void)lts::explore(system, [this](std::size_t states) {
             budget_.poll();
             if (states > most_explicit_states)
-                throw NotWritten{fmt::format("a component with parallel operators has more than {} states",
-                                             most_explicit_states)};
+                throw NotWritten{
+                    fmt::format("a component with parallel operators has more than {} states", most_explicit_states)};
         });
     }
 
@@ -326,7 +338,8 @@ private:
         for (const EventsInOrOut& set : sets_.keys()) {
             text += set.outside ? '-' : '+';
             for (const Event event : terms_[set.set])
-                if (event >= process::first_visible && events_.contains(event)) text += fmt::format(" {}", events_.number_of(event));
+                if (event >= process::first_visible && events_.contains(event))
+                    text += fmt::format(" {}", events_.number_of(event));
             text += '\n';
         }
         return text;
@@ -336,7 +349,8 @@ private:
         for (const process::RenamingId renaming : renamings_.keys()) {
             std::string line;
             for (const auto& [from, to] : terms_[renaming])
-                if (events_.contains(from)) line += fmt::format(" {} {}", events_.number_of(from), events_.number_of(to));
+                if (events_.contains(from))
+                    line += fmt::format(" {} {}", events_.number_of(from), events_.number_of(to));
             text += (line.empty() ? line : line.substr(1)) + "\n";
         }
         return text;

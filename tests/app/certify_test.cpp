@@ -27,9 +27,8 @@ Ran run_with_answer(const std::string& answer, const std::string& commands) {
 TEST(Certify, ReportsSayCertifiedOnlyWithTheLevel) {
     const Ran ran = run_with_answer("certified 1739 6", "\"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_THAT(ran.out,
-                HasSubstr("holds (certified: term level, unreduced, 1,739 pairs, 6 components); certificate "
-                          "certs/1-P-FD-P\n"));
+    EXPECT_THAT(ran.out, HasSubstr("holds (certified: term level, unreduced, 1,739 pairs, 6 components); certificate "
+                                   "certs/1-P-FD-P\n"));
     EXPECT_THAT(ran.out, HasSubstr("no certificate: there are no certificates for this kind of assertion"));
     EXPECT_THAT(ran.out, Not(HasSubstr("proved")));
 }
@@ -37,8 +36,8 @@ TEST(Certify, ReportsSayCertifiedOnlyWithTheLevel) {
 TEST(Certify, JsonHasTheFigures) {
     const Ran ran = run_with_answer("certified 1 1", "\"$verify\" cspm s.csp --no-cache --certify certs --format json");
     const nlohmann::json certificate = nlohmann::json::parse(ran.out).at("results").at(0).at("certificate");
-    const nlohmann::json expected{{"level", "term"}, {"reduced", false}, {"folders", {"certs/1-P-FD-P"}},
-                                  {"certified", true},  {"pairs", 1},       {"components", 1}};
+    const nlohmann::json expected{{"level", "term"},   {"reduced", false}, {"folders", {"certs/1-P-FD-P"}},
+                                  {"certified", true}, {"pairs", 1},       {"components", 1}};
     EXPECT_EQ(certificate, expected) << ran.out;
 }
 
@@ -47,8 +46,8 @@ TEST(Certify, ReportsSayWhyACertificateIsAtTheProductLevel) {
     const Ran ran = run_with_answer("certified 1 1", script + "\"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_THAT(ran.out, HasSubstr("holds (certified: product level, unreduced, 1 pair, 1 component; not at the term "
                                    "level, because it uses chase); certificate certs/1-P-FD-P\n"));
-    const Ran json = run_with_answer(
-        "certified 1 1", script + "\"$verify\" cspm s.csp --no-cache --certify certs --format json");
+    const Ran json =
+        run_with_answer("certified 1 1", script + "\"$verify\" cspm s.csp --no-cache --certify certs --format json");
     const nlohmann::json certificate = nlohmann::json::parse(json.out).at("results").at(0).at("certificate");
     EXPECT_EQ(certificate.at("level"), "product");
     EXPECT_EQ(certificate.at("why_product_level"), "it uses chase");
@@ -62,8 +61,7 @@ TEST(Certify, PagesSayCertified) {
         "trigger e } }' > m/m.rct\necho 'assertion Moves : Walker is deadlock-free' > m/m.assertions\n"
         "\"$verify\" check m --assertion Moves --no-cache --certify certs --html page.html && cat page.html");
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_THAT(ran.out,
-                HasSubstr("<br>holds (certified: term level, unreduced, 12 pairs, 1 component); certificate"));
+    EXPECT_THAT(ran.out, HasSubstr("<br>holds (certified: term level, unreduced, 12 pairs, 1 component); certificate"));
 }
 
 /// If a certificate is refused, the answer of the search is wrong, so the run must not succeed.

@@ -211,6 +211,7 @@ let random_body k =
 let definitions_count = 7
 let rec random_root depth =
   if depth = 0 || Random.int 5 = 0 then Name (Random.int definitions_count)
+  else if Random.int 4 = 0 then let p = random_root (depth - 1) in random_parallel p p
   else if Random.bool () then random_parallel (random_root (depth - 1)) (random_root (depth - 1))
   else random_unary (random_root (depth - 1))
 let random_script () = { bodies = Array.init definitions_count random_body; root = random_root 3 }
@@ -221,7 +222,7 @@ let rec mutated_root = function
   | Pri (o, p) when Random.int 3 > 0 -> Pri (o, mutated_root p)
   | Par (_, _, _, p, q) -> random_parallel p q
   | Hid (_, p) | Ren (_, p) | Pri (_, p) -> if Random.bool () then p else random_unary p
-  | other -> other
+  | other -> if Random.bool () then random_parallel other other else other
 let mutated_script t =
   if Random.bool () then { t with root = mutated_root t.root }
   else begin
@@ -575,7 +576,9 @@ let split_forges : (split -> split) list =
   let one_side = changed (function Beside (_, _, _, t, u) when Random.int 3 = 0 -> if Random.bool () then t else u | t -> t) in
   let other_sets = changed (function Beside (a, b, c, t, u) when Random.bool () -> Beside (c, a, b, t, u) | Hidden (a, t) when a > 0 -> Hidden (a - 1, t) | t -> t) in
   let swapped = changed (function Beside (a, b, c, t, u) when Random.bool () -> Beside (a, b, c, u, t) | t -> t) in
-  let twice x = changed (function Leaf k when Random.bool () -> Leaf (pick (leaves x.whole_tree)) | t -> t) x in
+  let twice x =
+    let first k = List.find (fun j -> x.meaning j 0 = x.meaning k 0) (leaves x.whole_tree) in
+    changed (function Leaf k when Random.int 3 > 0 -> Leaf (first k) | t -> t) x in
   let first = salted (fun salt x -> { x with number_of = (fun k p -> if x.number_of k p = 0 then 0 else if hash salt k mod 2 = 0 then 0 else x.number_of k p) }) in
   let started x = { x with meaning = (fun k v -> if x.states k > 1 && v = 0 then x.meaning k 1 else x.meaning k v) } in
   (* Only the first state is checked; the others confuse their targets. *)

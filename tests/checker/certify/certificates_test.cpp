@@ -137,12 +137,12 @@ std::string term_of(const std::string& declarations, const std::string& process)
     return text.substr(std::min(text.find("sets "), text.size()));
 }
 
-/// The definitions of a file are numbered in the order of their first use. Events are numbered in the order in which
-/// definitions use them, from 2.
+/// Sets and definitions are numbered in the order of their first use. Events are numbered in the order in which
+/// definitions use them, from 2. The sets of an alphabetised parallel come after those of its operands.
 TEST(Certificates, ContainTermsWithTheirDefinitions) {
     EXPECT_EQ(term_of("channel a, b\nP = a -> P\nQ = b -> SKIP", "(P [|{a}|] Q) \\ {b}"),
-              "sets 3\n- 2\n+ 2\n+ 3\nrenamings 0\norders 0\ndefinitions 4\noffer 1 2 0 #P\noffer 1 3 2 #Q\n"
-              "offer 1 1 3\noffer 0\nmain hide 2 parallel 0 0 1 0 1\nend\n");
+              "sets 3\n+ 3\n- 2\n+ 2\nrenamings 0\norders 0\ndefinitions 4\noffer 1 2 0 #P\noffer 1 3 2 #Q\n"
+              "offer 1 1 3\noffer 0\nmain hide 0 parallel 1 1 2 0 1\nend\n");
     EXPECT_EQ(term_of("channel a, b, c\nP = a -> b -> P\nQ = b -> c -> Q", "P [{a, b} || {b, c}] Q"),
               "sets 3\n+ 2\n+ 4\n+ 3\nrenamings 0\norders 0\ndefinitions 4\noffer 1 2 2 #P\noffer 1 3 3 #Q\n"
               "offer 1 3 0\noffer 1 4 1\nmain parallel 0 1 2 0 1\nend\n");
@@ -323,8 +323,9 @@ TEST(Certificates, BecomeTheoremsOfCoq) {
         {0U, Level::term}, {1U, Level::term}, {1U, Level::product}, {4U, Level::term}};
     for (const auto& [number, level] : cases) {
         const std::string name = fmt::format("{}_{}", number, level_name(level));
-        ASSERT_EQ(write_certificate(folder.path(), name, *script.certificate(number, "test", level).certificate, nullptr),
-                  "");
+        ASSERT_EQ(
+            write_certificate(folder.path(), name, *script.certificate(number, "test", level).certificate, nullptr),
+            "");
         const Ran made = certify(folder.in(name), "--coq");
         if (number == 4U) {
             EXPECT_EQ(made.exit, 1) << made.out;
