@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 sources="$PWD"
 scripts/setup.sh package
 cmake --preset package >/dev/null
-cmake --build --preset package --target robochart-verify robochart_library robochart_certifier
+cmake --build --preset package --target robochart-verify robochart-replay robochart_library robochart_certifier
 rm -rf build/package/packages
 (cd build/package && cpack >cpack.log) || { cat build/package/cpack.log >&2; exit 1; }
 deb="$(echo "$sources"/build/package/packages/robochart-verify_*.deb)"

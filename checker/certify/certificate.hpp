@@ -8,17 +8,32 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/diagnostics/budget.hpp"
 #include "checker/cspm/session.hpp"
 
 namespace robochart::certify {
 
+/// A file of a certificate that robochart-certify does not read.
+struct FurtherFile {
+    std::string path;  ///< below the folder of the certificate
+    std::string text;
+};
+
 /// The contents of the files of a certificate.
 struct Certificate {
-    std::string claim;           ///< claim.txt
-    std::string specification;   ///< specification.txt; "" for a property of one process
-    std::string implementation;  ///< implementation.txt
+    std::string claim;                      ///< claim.txt
+    std::string specification;              ///< specification.txt; "" for a property of one process
+    std::string implementation;             ///< implementation.txt
+    std::vector<FurtherFile> further = {};  ///< for conformance: the code and the states of its table
+};
+
+/// The lines of a claim that its processes do not determine.
+struct ClaimLines {
+    std::string assertion;      ///< as printed
+    std::string source;         ///< names the claim and its place
+    std::string source_digest;  ///< SHA-256 of the script
 };
 
 /// A certificate, or the reason why there is no certificate.
@@ -31,6 +46,11 @@ struct CertificateResult {
 /// the assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
                                                  const std::string& source, const refine::Limits& limits);
+
+/// Returns the certificate of a refinement in the failures-divergences model between two processes that are given as
+/// text (process_text.hpp). Does not check that the refinement holds.
+[[nodiscard]] Certificate refinement_certificate(const ClaimLines& lines, std::string specification,
+                                                 std::string implementation);
 
 /// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
 /// files. So an incomplete folder of a run that was stopped is not taken for a certificate. Returns "" on success, and
