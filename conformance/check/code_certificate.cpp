@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/cache/sha256.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "checker/certify/certificate.hpp"
 #include "checker/certify/process_text.hpp"
 #include "checker/cspm/session.hpp"
@@ -44,6 +45,16 @@ std::string text_of(lts::TransitionSystem& process, cspm::Session& session, refi
     return text->text;
 }
 
+/// Reads a printed script. The specification is then what its text says: in the tree of a normal form, composite values
+/// are names (normal_form.cpp).
+cspm::Script read_again(const std::string& text) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    cspm::Script script = cspm::read(sources, sources.add("model.csp", text), findings);
+    if (!findings.ok()) throw NoCertificate("the script with the normal form cannot be read");
+    return script;
+}
+
 /// The normal form, as components and rules. Registers are read in the order in which the table reads them.
 Specification normal_form_part(const ConformingCode& checked, const Options& options, refine::Budget& budget) {
     process::EventTable events;
@@ -53,7 +64,7 @@ Specification normal_form_part(const ConformingCode& checked, const Options& opt
     cspm::Script script = checked.script.definitions;
     script.decls.insert(script.decls.end(), form.decls.begin(), form.decls.end());
     const std::string text = cspm::print(script);
-    cspm::Session session(std::move(script));
+    cspm::Session session(read_again(text));
     const auto system = session.whole_system(form.process, options.limits);
     return {text_of(*system, session, budget), text};
 }
@@ -172,6 +183,10 @@ void certify_code(Result& result, const ConformingCode& checked, const Options& 
         result.certificate_failure = limit.what();
     } catch (const std::length_error& limit) {
         result.certificate_failure = limit.what();
+    } catch (const AlphabetError& mismatch) {
+        result.certificate_failure = mismatch.what();
+    } catch (const cspm::EvaluationError& error) {
+        result.certificate_failure = error.what();
     }
 }
 

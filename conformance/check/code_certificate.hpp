@@ -25,7 +25,6 @@ struct ConformingCode {
 inline constexpr std::uint64_t most_rows = 10'000'000;
 
 /// Explores the code again and stores the certificate in `result`. If there is no certificate, stores the reason.
-/// Passes on evaluation errors.
 void certify_code(Result& result, const ConformingCode&, const Options&);
 
 }  // namespace robochart::conformance

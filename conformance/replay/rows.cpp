@@ -91,7 +91,9 @@ public:
         compare_interfaces();
         const std::string first = fresh_state('\0');
         if (first != fresh_state('\xa5')) throw Difference{"`initial` does not write the whole state"};
-        if (!enter(table_.initial, first)) throw Difference{"the initial state of the code is not that of the table"};
+        if (!enter(table_.initial, first))
+            throw Difference{
+                fmt::format("the code begins in {}, and the table in {}", print(first), state_text(table_.initial))};
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             const Pair pair = pairs_[i];
             progress_.state = pair.line;
@@ -311,6 +313,12 @@ private:
         return fmt::format("<{}>, then {}", fmt::join(writes, ", "), end);
     }
 
+    /// Returns the text of a state of the process in which a cycle begins.
+    [[nodiscard]] std::string state_text(std::uint32_t state) const {
+        const auto found = std::ranges::find(table_.states, state, &StartState::state);
+        return found == table_.states.end() ? "an unknown state" : found->text;
+    }
+
     /// Describes the rest of a cycle as the table states it.
     [[nodiscard]] std::string table_text(std::uint32_t state) const {
         const std::uint32_t tock = number_of("tock");
@@ -329,10 +337,7 @@ private:
                 writes.push_back(short_name(table_.events[edge.event]));
             state = edge.target;
         }
-        if (tocks == table_.cycle) {
-            const auto next = std::ranges::find(table_.states, state, &StartState::state);
-            end = next == table_.states.end() ? "an unknown state" : next->text;
-        }
+        if (tocks == table_.cycle) end = state_text(state);
         return fmt::format("<{}>, then {}", fmt::join(writes, ", "), end);
     }
 
