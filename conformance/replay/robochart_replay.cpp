@@ -53,6 +53,19 @@ constexpr const char* usage =
 constexpr std::uint64_t most_memory = std::uint64_t{4} << 30U;
 constexpr std::size_t longest_answer = 4000;  // fits into a pipe
 
+/// Whether this program is built with AddressSanitizer, which reserves more addresses than the limit of memory.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool reserves_addresses = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool reserves_addresses = true;
+#else
+constexpr bool reserves_addresses = false;
+#endif
+#else
+constexpr bool reserves_addresses = false;
+#endif
+
 struct Options {
     std::string certificate;
     std::string object;            ///< "": built from the certificate
@@ -105,9 +118,7 @@ void limit_process() {
     };
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
-#if !defined(__SANITIZE_ADDRESS__)
-    limit(RLIMIT_AS, most_memory);
-#endif
+    if (!reserves_addresses) limit(RLIMIT_AS, most_memory);
     const int nothing = open("/dev/null", O_RDWR);
     for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, file);
 }
@@ -177,7 +188,7 @@ Answer answer_of_failure(const Table& table, const Progress& progress, std::opti
     return {differs, fmt::format("{}: {}", row_words(table, progress), what)};
 }
 
-/// Runs the rows in a process of their own.
+/// Runs the rows in another process.
 Answer replay_apart(const Table& table, const std::string& object, const Options& options, std::uint64_t& rows) {
     const std::size_t registers = table.inputs.size() * sizeof(rc_register);
     const SharedMemory memory(sizeof(Progress) + registers);

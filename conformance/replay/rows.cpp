@@ -179,7 +179,7 @@ private:
             const auto edge = std::ranges::lower_bound(edges, wanted);
             if (edge == edges.end() || edge->event != wanted.event || edges.size() != table_.inputs[input].readings())
                 throw Difference{fmt::format("{}: the table does not have one transition for each reading of {}",
-                                             row_words(table_, progress_), table_.inputs[input].name)};
+                                             row_words(table_, progress_), input_names_[input])};
             read_registers(pair, edge->target, input + 1);
         }
     }
@@ -191,7 +191,7 @@ private:
         for (const Edge& edge : table_.edges[state])
             if (edge.event == tau) ways.push_back(edge.target);
         // Several results are a choice, in which each way of the table is the way of a result, and vice versa.
-        const bool choice = !ways.empty() && ways.size() == table_.edges[state].size();
+        const bool choice = ways.size() > 1 && ways.size() == table_.edges[state].size();
         if (!choice) ways = {state};
         std::set<std::uint32_t> taken;
         for (const Result& result : results) {
@@ -357,14 +357,14 @@ private:
 }  // namespace
 
 std::string row_words(const Table& table, const Progress& progress) {
+    const std::vector<std::string> names = event_names(table.inputs);
     std::vector<std::string> present;
-    for (std::size_t i = 0; i < table.inputs.size(); ++i) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
         const rc_register& reading = progress.registers[i];
         if (reading.present == 0) continue;
-        const Input& input = table.inputs[i];
-        present.push_back(reading.value < input.values.size()
-                              ? fmt::format("{} = {}", input.name, input.values[reading.value])
-                              : input.name);
+        const std::vector<std::string>& values = table.inputs[i].values;
+        present.push_back(reading.value < values.size() ? fmt::format("{} = {}", names[i], values[reading.value])
+                                                        : names[i]);
     }
     return fmt::format("row {}, in {} with {{{}}}", progress.rows, table.states.at(progress.state).text,
                        fmt::join(present, ", "));

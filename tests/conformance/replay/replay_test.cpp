@@ -208,6 +208,7 @@ TEST(Replay, RoboSimIsReplayed) {
 TEST(Replay, NamedValuesAreReplayed) {
     test::Model model("tests/conformance/models/parcels");
     const Certified certified(model, model.first_module());
+    expect_certified(certified);
     const Ran ran = replay(certified.path());
     EXPECT_EQ(ran.exit, 0) << ran.out;
 }
