@@ -8,8 +8,10 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "base/cache/sha256.hpp"
@@ -213,24 +215,49 @@ TEST(Replay, NamedValuesAreReplayed) {
     EXPECT_EQ(ran.exit, 0) << ran.out;
 }
 
-/// If the check finds that a mutant differs from the model, the mutant cannot do what the table of the right code says.
-TEST(Replay, MutantsAreRefusedWithTheRow) {
-    test::Model model("corpus/aggregation");
-    const ir::ComponentRef module = model.first_module();
-    const Certified certified(model, module);
-    test::Bench bench(model, module);
+/// Replays the certificate of the right code against mutants. If the check finds that a mutant differs from the model,
+/// the mutant cannot do what the table of the right code says. Returns the kinds that are refused with a row. Other
+/// kinds have other members in the state, which the first state shows.
+std::set<Fault> refused_mutants(test::Model& model, const ir::ComponentRef& component,
+                                const std::vector<Fault>& faults) {
+    const Certified certified(model, component);
+    test::Bench bench(model, component);
     const tests::TemporaryFolder folder;
     std::set<Fault> refused;
-    for (const Fault fault : {Fault::action_dropped, Fault::argument_swapped, Fault::call_dropped, Fault::wrong_target,
-                              Fault::event_kept, Fault::wait_dropped, Fault::clock_stopped, Fault::wrong_input}) {
-        if (bench.site_count(fault) == 0 || bench.check_code(fault).outcome != Outcome::differs) continue;
-        const Ran ran = replay(certified.path(), compile_mutant(folder, model, module, fault, 0));
+    for (const Fault fault : faults) {
+        if (cpp_emit::in_event_api(fault) || bench.site_count(fault) == 0) continue;
+        if (bench.check_code(fault).outcome != Outcome::differs) continue;
+        const Ran ran = replay(certified.path(), compile_mutant(folder, model, component, fault, 0));
         EXPECT_EQ(ran.exit, 1) << static_cast<int>(fault) << ran.out;
         EXPECT_THAT(ran.out, StartsWith("DIFFERS ")) << static_cast<int>(fault);
-        if (ran.out.starts_with("DIFFERS row ") && ran.out.find("but the code does") != std::string::npos)
-            refused.insert(fault);
+        if (ran.out.starts_with("DIFFERS row ")) refused.insert(fault);
     }
-    EXPECT_GE(refused.size(), 4U) << "a mutant may also have other members in its state, which its first state shows";
+    return refused;
+}
+
+/// Returns these faults, or all that compile if ROBOCHART_MUTANTS=all.
+std::vector<Fault> chosen_faults(std::vector<Fault> faults) {
+    const char* const setting = std::getenv("ROBOCHART_MUTANTS");
+    if (setting == nullptr || std::string(setting) != "all") return faults;
+    faults.clear();
+    for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults())
+        if (kind.fault < Fault::name_collision) faults.push_back(kind.fault);
+    return faults;
+}
+
+TEST(Replay, MutantsAreRefusedWithTheRow) {
+    test::Model aggregation("corpus/aggregation");
+    const std::set<Fault> first =
+        refused_mutants(aggregation, aggregation.first_module(),
+                        chosen_faults({Fault::action_dropped, Fault::argument_swapped, Fault::call_dropped,
+                                       Fault::wrong_target, Fault::wait_dropped, Fault::wrong_input}));
+    EXPECT_GE(first.size(), 3U);
+    test::Model timing("tests/conformance/models/timing");
+    const std::set<Fault> second =
+        refused_mutants(timing, timing.machine_named("Timing"),
+                        chosen_faults({Fault::clock_not_reset, Fault::clock_off_by_one, Fault::deadline_late,
+                                       Fault::comparison_wrong, Fault::guard_negated}));
+    EXPECT_GE(second.size(), 3U);
 }
 
 /// A line of the table, split into numbers.
