@@ -34,6 +34,8 @@ try() { # prefix
   env -i "$1/bin/robochart-certify" "$examples/aggregation/certificates"
   env -i "$1/bin/robochart-verify" check "$examples/aggregation" --no-cache --certify "$folder/certificates-$(basename "$1")" >"$folder/report"
   grep -F 'holds (certified: product level, unreduced, ' "$folder/report" >/dev/null
+  "$1/bin/robochart-verify" conform "$examples/aggregation" -q --no-cache --certify "$folder/code-$(basename "$1")"
+  "$1/bin/robochart-replay" "$folder/code-$(basename "$1")"/1-*
   "$1/bin/robochart-verify" simulate "$examples/aggregation/aggregation.scenario" --no-pictures -q --no-cache
 }
 
