@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 sources="$PWD"
 scripts/setup.sh package
 cmake --preset package >/dev/null
-cmake --build --preset package --target robochart-verify robochart_library robochart_certifier
+cmake --build --preset package --target robochart-verify robochart-replay robochart_library robochart_certifier
 rm -rf build/package/packages
 (cd build/package && cpack >cpack.log) || { cat build/package/cpack.log >&2; exit 1; }
 deb="$(echo "$sources"/build/package/packages/robochart-verify_*.deb)"
@@ -34,6 +34,8 @@ try() { # prefix
   env -i "$1/bin/robochart-certify" "$examples/aggregation/certificates"
   env -i "$1/bin/robochart-verify" check "$examples/aggregation" --no-cache --certify "$folder/certificates-$(basename "$1")" >"$folder/report"
   grep -F 'holds (certified: term level, unreduced, ' "$folder/report" >/dev/null
+  "$1/bin/robochart-verify" conform "$examples/aggregation" -q --no-cache --certify "$folder/code-$(basename "$1")"
+  "$1/bin/robochart-replay" "$folder/code-$(basename "$1")"/1-*
   "$1/bin/robochart-verify" simulate "$examples/aggregation/aggregation.scenario" --no-pictures -q --no-cache
 }
 

@@ -624,7 +624,7 @@ const std::vector<OptionRow>& option_table() {
         {"--no-reduction", Group::limits, searching | verb_bit(Verb::tune), {},
          "search all states, without confluence and symmetry reduction",
          [](Options& o, const std::string&) { o.limits.reduction = false; }},
-        {"--certify", Group::checking, deciding, {.kind = Kind::folder, .name = "DIR"},
+        {"--certify", Group::checking, deciding | verb_bit(Verb::conform), {.kind = Kind::folder, .name = "DIR"},
          "write a certificate for each claim that holds to this folder, for robochart-certify; the folder must be empty",
          [](Options& o, const std::string& word) { o.claims.certificates = word; }},
         {"--checkpoint", Group::limits, deciding, {.kind = Kind::folder, .name = "DIR"},

@@ -315,6 +315,9 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
                         for_all ? "any value (nothing depends on it), " : "", count_text(represented.values, "value"));
     if (!r.reason.empty()) out += fmt::format("               {}{}\n", r.reason, code_of(r.explanation.rule));
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
+    if (c.certificate) out += fmt::format("               {}\n", driver::certificate_text(*c.certificate, "conforms"));
+    if (const std::string trusted = still_trusted(c); !trusted.empty())
+        out += fmt::format("               {}\n", trusted);
     write_cycles(out, r.cycles);
     write_explanation(out, r.explanation);
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
@@ -413,6 +416,15 @@ std::string closing_line(const Report& report) {
 
 }  // namespace
 
+std::string still_trusted(const ConformanceReport& c) {
+    if (!c.certificate || c.certificate->folders.empty()) return "";
+    const bool few = !c.result.all_values.empty() || !c.result.represented.empty();
+    return fmt::format(
+        "still trusted: that the code does what the table of the certificate states, which robochart-replay checks, "
+        "that the specification in the certificate is the model in cycles{}, and the certifier",
+        few ? ", that the check is right about values outside the table" : "");
+}
+
 std::string_view name_of(conformance::Outcome outcome) {
     constexpr std::array<std::string_view, 7> names{"conforms",      "differs", "rounds",      "not schedulable",
                                                     "not generated", "error",   "inconclusive"};
@@ -507,8 +519,10 @@ Exit Report::exit_code() const {
             });
         });
     };
-    const bool unwritten = std::ranges::any_of(
-        assertions, [](const driver::AssertionReport& a) { return a.certificate && a.certificate->failed; });
+    const auto unwritten_in = [](const auto& reports) {
+        return std::ranges::any_of(reports, [](const auto& one) { return one.certificate && one.certificate->failed; });
+    };
+    const bool unwritten = unwritten_in(assertions) || unwritten_in(conformance);
     if (nothing_checked || !refused.empty() || unwritten || any(driver::Answer::error) ||
         code(conformance::Outcome::not_generated) || code(conformance::Outcome::error))
         return Exit::bad_input;

@@ -32,7 +32,10 @@ struct ConformanceReport {
     double seconds = 0;
     std::string order = {};  ///< the declared order of events in a cycle: "estop first"; "" if there is none
     std::vector<std::optional<runs::Place>> claim_regions = {};  ///< places of Result::claims
+    std::optional<driver::CertificateReport> certificate = {};   ///< no value if none was requested or it differs
 };
+/// Returns a sentence that says what must still be trusted if the component has this certificate; "" without one.
+[[nodiscard]] std::string still_trusted(const ConformanceReport&);
 
 /// The two subjects for which a claim about control cycles is decided.
 inline constexpr std::string_view model_in_cycles = "the model in cycles", this_code = "this code";

@@ -179,6 +179,8 @@ Json conformance_json(const ConformanceReport& c) {
     if (!r.claims.empty()) json["claims"] = json_array(r.claims, cycle_claim_json);
     if (!r.missed.empty()) json["missedEvents"] = json_array(r.missed, missed_json);
     if (!r.overtaken.empty()) json["overtakenEvents"] = json_array(r.overtaken, overtaken_json);
+    if (c.certificate) json["certificate"] = certificate_json(*c.certificate);
+    if (const std::string trusted = still_trusted(c); !trusted.empty()) json["certificate"]["trusted"] = trusted;
     if (r.cycles.empty()) return json;
     json["cycles"] = json_array(r.cycles, cycle_json);
     json["expected"] = r.expected;

@@ -26,12 +26,14 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/render.hpp"
 #include "base/diagnostics/spelling.hpp"
+#include "checker/certify/certificate.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "conformance/check/cycle_claims.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/ros2/read_mapping.hpp"
 #include "cpp_emit/ros2/rules.hpp"
+#include "driver/claims/certificates.hpp"
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/model_claims.hpp"
 #include "driver/model/block_values.hpp"
@@ -489,6 +491,24 @@ void drop_answered(Report& report) {
     std::erase_if(report.assertions, answered);
 }
 
+/// Returns the claim of the certificate of a component's code, with the place of the component.
+std::string certified_claim(const ConformanceReport& component) {
+    std::string place;
+    if (component.region) place = fmt::format(" ({}:{})", component.region->file, component.region->line);
+    return fmt::format("the code of {} conforms{}", component.component, place);
+}
+
+/// Writes the certificate of code that conforms. `number` is the number of the component.
+driver::CertificateReport certificate_of(const ConformanceReport& component, std::size_t number,
+                                         const Options& options) {
+    const conformance::Result& result = component.result;
+    driver::CertificateReport report;
+    report.reason = result.certificate_failure;
+    if (result.certificate == nullptr) return report;
+    const std::string folder = certify::folder_name(std::to_string(number), "code of " + component.component);
+    return driver::write_certificate(options.claims.certificates, folder, *result.certificate, options.run->budget());
+}
+
 bool allows_rounding(const Options& options) {
     const auto& allowed = options.load.allowed;
     return std::ranges::find(allowed, conformance::rules::rounded.code) != allowed.end();
@@ -541,6 +561,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
                 conformance::timed_model(project.system, project.instantiation, project.sources, project.diagnostics);
             unlike_blocks = values_unlike_blocks(project, model->script.definitions);
         }
+        if (!options.claims.certificates.empty()) conformance_options.certified = certified_claim(one);
         one.result = conformance::conform(*model, component, conformance_options, project.diagnostics);
         for (const conformance::CycleAnswers& claim : one.result.claims)
             one.claim_regions.push_back(driver::region_of(project.sources, claim.span));
@@ -552,6 +573,8 @@ void check_conformance(driver::Project& project, const Options& options, Report&
             one.result.warnings.push_back(
                 fmt::format("sequences have at most {} items in this check; --range Seq=0..N sets another bound",
                             project.instantiation.sequence_bound));
+        if (!options.claims.certificates.empty() && one.result.outcome == conformance::Outcome::conforms)
+            one.certificate = certificate_of(one, first + i + 1, options);
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() &&
                               options.claims.times != driver::Times::untimed;
@@ -808,6 +831,8 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
         throw UsageError("--dispatch immediate needs --target ros2");
     if (!options.conform.traces.empty() && is_requested(options, Format::junit))
         throw UsageError("--format junit does not support --traces; use text or json");
+    if (!options.conform.traces.empty() && !options.claims.certificates.empty())
+        throw UsageError("--certify is about code, and --traces compares logs");
     if (!options.conform.traces.empty()) return compare_traces(parts, options, report);
     if (const driver::Project* const stopped = first_refused(parts, options, report))
         return refuse_parts(*stopped, parts, options, report);

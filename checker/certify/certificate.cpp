@@ -20,6 +20,8 @@ namespace {
 using cspm::Assertion;
 using cspm::AssertionKind;
 
+constexpr const char* refinement_in_divergences = "refinement in the failures-divergences model";
+
 /// Returns the claim of the assertion in the words of a certificate. Returns no value if no certificates exist for
 /// assertions of this kind.
 std::optional<std::string> claim_words(const Assertion& assertion) {
@@ -29,7 +31,7 @@ std::optional<std::string> claim_words(const Assertion& assertion) {
         case AssertionKind::refinement:
             if (assertion.model == cspm::Model::traces) return "refinement in the traces model";
             if (assertion.model == cspm::Model::failures) return "refinement in the failures model";
-            if (divergence) return "refinement in the failures-divergences model";
+            if (divergence) return refinement_in_divergences;
             return std::nullopt;
         case AssertionKind::deadlock_free:
             return divergence ? "deadlock and divergence freedom" : "deadlock freedom";
@@ -42,13 +44,12 @@ std::optional<std::string> claim_words(const Assertion& assertion) {
     return std::nullopt;
 }
 
-std::string claim_text(const std::string& words, const cspm::Session& session, const cspm::Decl& assertion,
-                       const std::string& source, const Certificate& parts) {
+std::string claim_text(const std::string& words, const ClaimLines& lines, const Certificate& parts) {
     std::string text = fmt::format(
         "robochart-verify certificate 1\nclaim: {}\nassertion: {}\nsource: {}\nsource-sha256: {}\n"
         "level: {}, unreduced\nspecification-sha256: {}\nimplementation-sha256: {}\n",
-        words, one_line(cspm::print(assertion)), one_line(source), diagnostics::sha256(cspm::print(session.script())),
-        level_name(parts.level), parts.specification.empty() ? "-" : diagnostics::sha256(parts.specification),
+        words, one_line(lines.assertion), one_line(lines.source), lines.source_digest, level_name(parts.level),
+        parts.specification.empty() ? "-" : diagnostics::sha256(parts.specification),
         diagnostics::sha256(parts.implementation));
     return text + fmt::format("end-sha256: {}\n", diagnostics::sha256(text));
 }
@@ -110,7 +111,8 @@ CertificateResult make_from_sides(const std::string& words, cspm::Session& sessi
     result.specification = refinement ? first->text : "";
     result.implementation = refinement ? second->text : first->text;
     if (highest == Level::term) replace_by_terms(session, assertion.assertion, budget, result);
-    result.claim = claim_text(words, session, assertion, source, result);
+    const std::string digest = diagnostics::sha256(cspm::print(session.script()));
+    result.claim = claim_text(words, {cspm::print(assertion), source, digest}, result);
     return {std::move(result), ""};
 }
 
@@ -136,14 +138,25 @@ CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& ass
     }
 }
 
+Certificate refinement_certificate(const ClaimLines& lines, std::string specification, std::string implementation) {
+    Certificate result;
+    result.level = Level::product;
+    result.specification = std::move(specification);
+    result.implementation = std::move(implementation);
+    result.claim = claim_text(refinement_in_divergences, lines, result);
+    return result;
+}
+
 std::string write_certificate(const std::string& root, const std::string& folder, const Certificate& certificate,
                               diagnostics::Budget* budget) {
-    const auto write = [&](const char* file, const std::string& text) {
+    const auto write = [&](const std::string& file, const std::string& text) {
         return diagnostics::write_below(root, fmt::format("{}/{}", folder, file), text, budget);
     };
     std::string error;
     if (!certificate.specification.empty()) error = write("specification.txt", certificate.specification);
     if (error.empty()) error = write("implementation.txt", certificate.implementation);
+    for (const FurtherFile& file : certificate.further)
+        if (error.empty()) error = write(file.path, file.text);
     if (error.empty()) error = write("claim.txt", certificate.claim);
     return error;
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/diagnostics/budget.hpp"
 #include "checker/cspm/session.hpp"
@@ -20,13 +21,27 @@ enum class Level { term, product };
 /// Returns "term" or "product".
 [[nodiscard]] const char* level_name(Level level);
 
+/// A file of a certificate that robochart-certify does not read.
+struct FurtherFile {
+    std::string path;  ///< below the folder of the certificate
+    std::string text;
+};
+
 /// The contents of the files of a certificate.
 struct Certificate {
     Level level = Level::term;
-    std::string why_product;     ///< why the terms could not be written; "" at the term level
-    std::string claim;           ///< claim.txt
-    std::string specification;   ///< specification.txt; "" for a property of one process
-    std::string implementation;  ///< implementation.txt
+    std::string why_product;                ///< why the terms could not be written; "" at the term level
+    std::string claim;                      ///< claim.txt
+    std::string specification;              ///< specification.txt; "" for a property of one process
+    std::string implementation;             ///< implementation.txt
+    std::vector<FurtherFile> further = {};  ///< for conformance: the code and the states of its table
+};
+
+/// The lines of a claim that its processes do not determine.
+struct ClaimLines {
+    std::string assertion;      ///< as printed
+    std::string source;         ///< names the claim and its place
+    std::string source_digest;  ///< SHA-256 of the script
 };
 
 /// A certificate, or the reason why there is no certificate.
@@ -41,6 +56,11 @@ struct CertificateResult {
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
                                                  const std::string& source, const refine::Limits& limits,
                                                  Level highest = Level::term);
+
+/// Returns the certificate of a refinement in the failures-divergences model between two processes that are given as
+/// text (process_text.hpp). Does not check that the refinement holds.
+[[nodiscard]] Certificate refinement_certificate(const ClaimLines& lines, std::string specification,
+                                                 std::string implementation);
 
 /// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
 /// files. So an incomplete folder of a run that was stopped is not taken for a certificate. Returns "" on success, and

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "checker/lts/graph.hpp"
 #include "checker/machine/content.hpp"
 #include "checker/machine/supercombinator_system.hpp"
 
@@ -151,27 +150,13 @@ ProcessText compiled_text(const machine::SupercombinatorSystem& system, const pr
 /// Thrown to stop an exploration that has found too many states.
 struct TooManyStates {};
 
-ProcessText explicit_text(lts::TransitionSystem& system, diagnostics::Pollable& budget) {
-    const lts::Exploration found = lts::explore(system, [&](std::size_t states) {
-        budget.poll();
-        if (states > most_explicit_states) throw TooManyStates{};
-    });
-    EventSet used;
-    machine::add_events(found.graph, used);
-    std::ranges::sort(used);
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    Writer writer(system.events(), used, budget);
-    writer.begin_components(1);
-    writer.begin_component(found.graph.size(), 0, "the process");
-    for (lts::StateIndex state = 0; state < found.graph.size(); ++state) {
-        std::vector<std::pair<Event, std::uint32_t>> row;
-        for (const lts::Edge& edge : found.graph.edges(state)) row.emplace_back(edge.event, edge.target);
-        writer.add_row(std::move(row));
-    }
-    writer.begin_region(1, used.size());
-    writer.add_slot(0);
-    for (const Event event : used) writer.add_rule(event, machine::no_level, {{0, event}}, {});
-    return writer.finish();
+lts::Graph explored_graph(lts::TransitionSystem& system, diagnostics::Pollable& budget) {
+    return lts::explore(system,
+                        [&](std::size_t states) {
+                            budget.poll();
+                            if (states > most_explicit_states) throw TooManyStates{};
+                        })
+        .graph;
 }
 
 }  // namespace
@@ -188,12 +173,31 @@ std::string one_line(const std::string& text) {
     return result;
 }
 
+ProcessText graph_text(const lts::Graph& graph, const lts::EventTable& events, diagnostics::Pollable& budget) {
+    EventSet used;
+    machine::add_events(graph, used);
+    std::ranges::sort(used);
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    Writer writer(events, used, budget);
+    writer.begin_components(1);
+    writer.begin_component(graph.size(), 0, "the process");
+    for (lts::StateIndex state = 0; state < graph.size(); ++state) {
+        std::vector<std::pair<Event, std::uint32_t>> row;
+        for (const lts::Edge& edge : graph.edges(state)) row.emplace_back(edge.event, edge.target);
+        writer.add_row(std::move(row));
+    }
+    writer.begin_region(1, used.size());
+    writer.add_slot(0);
+    for (const Event event : used) writer.add_rule(event, machine::no_level, {{0, event}}, {});
+    return writer.finish();
+}
+
 std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
                                         diagnostics::Pollable& budget) {
     if (const auto* const compiled = dynamic_cast<const machine::SupercombinatorSystem*>(&process))
         return compiled_text(*compiled, terms, budget);
     try {
-        return explicit_text(process, budget);
+        return graph_text(explored_graph(process, budget), process.events(), budget);
     } catch (const TooManyStates&) {
         return std::nullopt;
     }

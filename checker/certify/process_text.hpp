@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/diagnostics/pollable.hpp"
+#include "checker/lts/graph.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/process/term.hpp"
 
@@ -30,5 +31,9 @@ inline constexpr std::size_t most_explicit_states = 200'000;
 /// has too many states to be one component. Polls the budget, and passes on the exceptions of the process.
 [[nodiscard]] std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
                                                       diagnostics::Pollable& budget);
+
+/// Returns the text of a process that is stored as a graph. It has one component; the states keep their numbers.
+[[nodiscard]] ProcessText graph_text(const lts::Graph& graph, const lts::EventTable& events,
+                                     diagnostics::Pollable& budget);
 
 }  // namespace robochart::certify

@@ -14,6 +14,7 @@
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/process/term_system.hpp"
+#include "conformance/check/code_certificate.hpp"
 #include "conformance/check/conformance_check.hpp"
 #include "conformance/check/cycle_claims.hpp"
 #include "conformance/check/enough_names.hpp"
@@ -359,8 +360,15 @@ Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, 
         return result;
     }
     if (!object) return not_generated(std::move(error));
-    return judge_script(script, system, instantiation, component, object->interface(), {}, options, timed.sources,
-                        code.event_places);
+    Result result = judge_script(script, system, instantiation, component, object->interface(), {}, options,
+                                 timed.sources, code.event_places);
+    if (options.certified.empty() || result.outcome != Outcome::conforms) return result;
+    Interface interface = interface_of_model(system, instantiation, component, script.provenance, object->interface());
+    interface.drops = dropped_inputs(interface, options.generator.order);
+    certify_code(result,
+                 {script, component_process(script.definitions, component), interface, object->interface(), code},
+                 options);
+    return result;
 }
 
 /// Checks a component with few values of some types, which may represent all of their values.
@@ -730,6 +738,22 @@ void decide_claims_in_carriers(Result& result, const TimedModel& timed, const ir
     }
 }
 
+/// Adds a certificate for the values of the carriers if the conformance was decided for all values: a table contains
+/// finitely many values.
+void certify_in_carriers(Result& result, const TimedModel& timed, const ir::ComponentRef& component,
+                         const Options& options) {
+    Options carriers = options;
+    carriers.numbers = Numbers::carriers;
+    carriers.claims = nullptr;
+    carriers.walks.cycles = 0;
+    diagnostics::Diagnostics apart;  // discarded, because the first check has reported the same findings
+    Result again = judge_values(timed, component, timed.model.instantiation, timed.script, carriers, apart);
+    result.certificate = std::move(again.certificate);
+    result.certificate_failure = std::move(again.certificate_failure);
+    if (again.outcome != Outcome::conforms)
+        result.certificate_failure = fmt::format("for the values of the carriers: {}", again.reason);
+}
+
 }  // namespace
 
 Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
@@ -741,6 +765,10 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
     if (ir::is_robosim(model.system, component)) return conform_robosim(timed, component, options, diagnostics);
     Result result = conform_robochart(timed, component, options, diagnostics);
     decide_claims_in_carriers(result, timed, component, options);
+    const bool missing = result.certificate == nullptr && result.certificate_failure.empty();
+    if (!options.certified.empty() && result.outcome == Outcome::conforms && missing)
+        certify_in_carriers(result, timed, component, options);
+    if (result.outcome != Outcome::conforms) result.certificate = nullptr;
     return result;
 }
 

@@ -16,6 +16,10 @@
 #include "cpp_emit/plan/options.hpp"
 #include "semantics/data/class_model.hpp"
 
+namespace robochart::certify {
+struct Certificate;  // checker/certify/certificate.hpp
+}
+
 namespace robochart::conformance {
 
 struct CycleClaims;  // cycle_claims.hpp
@@ -189,6 +193,9 @@ struct Result {
     std::vector<std::string> warnings;  ///< about the code, for example if its states are not canonical
     std::string exported;               ///< L(G) in the requested format (Options::exported)
     std::string export_failure;         ///< why a requested export was not made
+    /// The certificate, if it was requested and the code conforms; null if there is none.
+    std::shared_ptr<const certify::Certificate> certificate;
+    std::string certificate_failure;  ///< why there is no certificate of code that conforms
 };
 
 /// The relation between NF_c(M) and L(G).
@@ -235,6 +242,7 @@ struct Options {
     std::string work_dir;  ///< folder for sources and the shared object; "": a new folder, which is deleted afterwards
     diagnostics::Cache* cache = nullptr;  ///< cache of compiled code; may be null
     refine::Limits limits;
+    std::string certified;  ///< the claim of a certificate, with its place; "": no certificate
     std::shared_ptr<const CycleClaims> claims = nullptr;  ///< claims about cycles of the component; may be null
 };
 

@@ -53,6 +53,8 @@ public:
     [[nodiscard]] const CycleResult& cycle_result(std::uint32_t number) const { return results_[number]; }
 
     [[nodiscard]] const std::vector<std::uint32_t>& started_images() const override { return begun_; }
+    /// Sets the packed state in which a cycle begins with this image.
+    void enter_cycle(std::span<lts::Word> state, std::uint32_t image);
     [[nodiscard]] std::vector<unsigned char> image_bytes(std::uint32_t image) const override {
         return images_.bytes(image);
     }
@@ -93,7 +95,6 @@ private:
     void add_reads(lts::StateView state, lts::SuccessorSink& sink);
     void add_writes(lts::StateView state, lts::SuccessorSink& sink);
     void add_end_of_cycle(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink);
-    void enter_cycle(std::span<lts::Word> state, std::uint32_t image);
 
     const rc_interface* code_;
     const Alphabet* alphabet_;

@@ -6,7 +6,10 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cerrno>
 #include <cstdlib>
@@ -38,11 +41,14 @@ std::vector<std::string> split_words(const std::string& text) {
     return found;
 }
 
+constexpr std::array<const char*, 3> object_options{"-shared", "-fPIC", "-fvisibility=hidden"};
+
 std::vector<std::string> command_line(const BuildOptions& options, const fs::path& folder,
                                       const std::vector<std::string>& sources, const std::string& target) {
     std::vector<std::string> command{options.compiler};
     for (std::string& flag : split_words(options.flags)) command.push_back(std::move(flag));
-    command.insert(command.end(), {"-shared", "-fPIC", "-fvisibility=hidden", "-I", folder.string(), "-o", target});
+    command.insert(command.end(), object_options.begin(), object_options.end());
+    command.insert(command.end(), {"-I", folder.string(), "-o", target});
     // The paths are absolute, because a compiler does not accept "-x" and "@x" as file names.
     for (const std::string& source : sources) command.push_back(fs::absolute(folder / source).string());
     return command;
@@ -134,6 +140,18 @@ std::string object_name(const fs::path& folder, std::string& error) {
 }
 
 }  // namespace
+
+std::string build_command(const BuildOptions& options, const std::vector<std::string>& sources,
+                          const std::string& target) {
+    std::vector<std::string> words{options.compiler};
+    for (std::string& flag : split_words(options.flags))
+        if (!flag.starts_with("-W")) words.push_back(std::move(flag));
+    words.insert(words.end(), object_options.begin(), object_options.end());
+    words.insert(words.end(), {"-I", ".", "-o", target});
+    words.insert(words.end(), sources.begin(), sources.end());
+    assert(std::ranges::none_of(words, [](const std::string& word) { return word.find(' ') != std::string::npos; }));
+    return fmt::format("{}", fmt::join(words, " "));
+}
 
 std::unique_ptr<SharedLibrary> SharedLibrary::build(const std::vector<OutputFile>& files,
                                                     const std::vector<std::string>& sources,

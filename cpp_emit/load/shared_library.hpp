@@ -27,6 +27,11 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// Returns the command that compiles these sources into the shared object `target`, if it is run in the folder of the
+/// files. It omits options that only concern warnings. Its words are separated by blanks; no name may contain a blank.
+[[nodiscard]] std::string build_command(const BuildOptions&, const std::vector<std::string>& sources,
+                                        const std::string& target);
+
 /// A loaded shared object. Its code runs in this process, so only code that this toolkit or its tests wrote may be
 /// loaded.
 class SharedLibrary {

@@ -15,7 +15,6 @@
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/programs.hpp"
-#include "checker/certify/certificate.hpp"
 
 namespace robochart::driver {
 namespace {
@@ -125,6 +124,17 @@ CertificateReport write_certificates(cspm::Session& session, const CertifiedClai
     return report;
 }
 
+CertificateReport write_certificate(const std::string& root, const std::string& folder,
+                                    const certify::Certificate& certificate, diagnostics::Budget& budget) {
+    const std::string error = certify::write_certificate(root, folder, certificate, &budget);
+    if (!error.empty()) return {{}, error, true};
+    CertificateReport report;
+    report.level = certify::level_name(certificate.level);
+    report.folders.push_back((std::filesystem::path(root) / folder).string());
+    check_certificates(budget, report);
+    return report;
+}
+
 std::string why_not_empty(const std::string& folder) {
     std::error_code code;
     const std::filesystem::directory_iterator entries(folder, code);
@@ -146,7 +156,7 @@ std::string counted(std::uint64_t number, const std::string& noun) {
 
 }  // namespace
 
-std::string certificate_text(const CertificateReport& report) {
+std::string certificate_text(const CertificateReport& report, std::string_view verdict) {
     if (report.folders.empty())
         return fmt::format("no certificate: {}", diagnostics::escape_for_display(report.reason));
     std::string folders;
@@ -157,7 +167,7 @@ std::string certificate_text(const CertificateReport& report) {
             return fmt::format("certificate {}, not checked: {}", folders,
                                diagnostics::escape_for_display(report.reason));
         case Certification::certified:
-            return fmt::format("holds (certified: {} level, unreduced, {}, {}{}); certificate {}", report.level,
+            return fmt::format("{} (certified: {} level, unreduced, {}, {}{}); certificate {}", verdict, report.level,
                                counted(report.pairs, "pair"), counted(report.components, "component"),
                                report.why_product.empty()
                                    ? ""

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "checker/certify/certificate.hpp"
 #include "checker/cspm/session.hpp"
 #include "driver/results/results.hpp"
 #include "driver/settings/search_context.hpp"
@@ -24,12 +26,17 @@ struct CertifiedClaim {
 /// program or in PATH, the function then runs it to check the certificates.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
+/// Writes a certificate to its folder below `root`. If the program robochart-certify is found, the function then runs
+/// it to check the certificate.
+[[nodiscard]] CertificateReport write_certificate(const std::string& root, const std::string& folder,
+                                                  const certify::Certificate&, diagnostics::Budget&);
+
 /// Returns an error message if the folder contains files. Returns "" if the folder is empty or does not exist. This
 /// check prevents certificates of earlier runs from being taken for certificates of this run.
 [[nodiscard]] std::string why_not_empty(const std::string& folder);
 
-/// Returns one line about the certificates. The line contains "certified" and the level only if robochart-certify has
-/// accepted all certificates.
-[[nodiscard]] std::string certificate_text(const CertificateReport&);
+/// Returns one line about the certificates of a claim. The line contains the verdict, "certified" and the level only if
+/// robochart-certify has accepted all certificates.
+[[nodiscard]] std::string certificate_text(const CertificateReport&, std::string_view verdict = "holds");
 
 }  // namespace robochart::driver

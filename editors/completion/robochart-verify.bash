@@ -17,7 +17,7 @@ _robochart_verify_options() {
     'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit rst') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'conform') echo '--concrete --const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --json --junit --html --color -q --quiet --provenance --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'conform') echo '--concrete --const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --json --junit --html --color -q --quiet --provenance --trace --progress --memory --timeout --threads --no-reduction --certify --max-states --no-cache -h --help' ;;
     'cspm') echo '--assertion --typecheck --types --format --json --junit --color -q --quiet --provenance -b --brief --reveal-taus --split --export --progress --memory --timeout --assertion-timeout --threads --no-reduction --certify --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
     'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --json --plot --color -q --quiet --provenance --export --memory --timeout --threads --max-states -h --help' ;;
     'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
@@ -109,7 +109,7 @@ _robochart_verify_argument() {
     'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit prism --threads' | 'emit monitor --threads' | 'emit rst --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads' | 'rules --threads') echo '<value>' ;;
     'simulate --threads' | 'tune --threads') echo '<value>' ;;
     'prism --threads') echo '<value>' ;;
-    'check --certify' | 'cspm --certify') echo '<folder>' ;;
+    'check --certify' | 'conform --certify' | 'cspm --certify') echo '<folder>' ;;
     'check --checkpoint' | 'cspm --checkpoint') echo '<folder>' ;;
     'check --every' | 'cspm --every') echo '<value>' ;;
     'check --resume' | 'cspm --resume') echo '<folder>' ;;

@@ -154,7 +154,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit cs
 complete -c robochart-verify -n '__robochart_verify_is "simulate" "tune"' -l threads -x -d 'maximum number of parallel trials; 0 for one per core'
 complete -c robochart-verify -n '__robochart_verify_is "prism"' -l threads -x -d 'maximum number of constant sets, answers or random paths in parallel; 0 for one per core'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit rst" "emit tests" "conform" "cspm" "rules" "tune"' -l no-reduction -d 'search all states, without confluence and symmetry reduction'
-complete -c robochart-verify -n '__robochart_verify_is "check" "cspm"' -l certify -x -a '(__fish_complete_directories)' -d 'write a certificate for each claim that holds to this folder, for robochart-certify; the folder must be empty'
+complete -c robochart-verify -n '__robochart_verify_is "check" "conform" "cspm"' -l certify -x -a '(__fish_complete_directories)' -d 'write a certificate for each claim that holds to this folder, for robochart-certify; the folder must be empty'
 complete -c robochart-verify -n '__robochart_verify_is "check" "cspm"' -l checkpoint -x -a '(__fish_complete_directories)' -d 'store checkpoints of searches in this folder, for --resume'
 complete -c robochart-verify -n '__robochart_verify_is "check" "cspm"' -l every -x -d 'minutes between checkpoints of --checkpoint, --resume and --disk; a run that ends at a limit also writes one'
 complete -c robochart-verify -n '__robochart_verify_is "check" "cspm"' -l resume -x -a '(__fish_complete_directories)' -d 'continue from the checkpoints in this folder, with the same model and options, and store new ones there'

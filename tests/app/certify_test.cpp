@@ -97,6 +97,51 @@ TEST(Certify, AFullDiskIsAnErrorAndLeavesNoCertificate) {
     EXPECT_EQ(exit.exit, 2) << exit.err;
 }
 
+/// Runs `conform --certify certs` on a machine whose code conforms, and on one that cannot run in cycles.
+Ran conform_with_answer(const std::string& answer, const std::string& options) {
+    return run_shell(
+        "mkdir bin m\nprintf '#!/bin/sh\\necho \"" + answer +
+        "\"\\n' > bin/robochart-certify\nchmod +x bin/robochart-certify\nexport PATH=\"$PWD/bin:$PATH\"\n"
+        "echo 'stm Walker { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A "
+        "trigger e } } stm Loop { event e initial i state A { } transition t0 { from i to A } transition t1 { from A "
+        "to A } }' > m/m.rct\n\"$verify\" conform m --no-cache --certify certs " +
+        options);
+}
+
+TEST(Certify, CodeThatConformsIsCertified) {
+    const Ran ran = conform_with_answer("certified 1739 1", "; ls certs certs/*");
+    EXPECT_THAT(ran.out, HasSubstr("conforms (certified: product level, unreduced, 1,739 pairs, 1 component); "
+                                   "certificate certs/1-code-of-Walker\n"));
+    EXPECT_THAT(ran.out, HasSubstr("still trusted: that the code does what the table of the certificate states, which "
+                                   "robochart-replay checks, "));
+    EXPECT_THAT(ran.out, HasSubstr("NOT SCHEDULABLE Loop"));
+    EXPECT_THAT(ran.out, Not(HasSubstr("code-of-Loop")));
+    for (const char* file : {"claim.txt", "specification.txt", "implementation.txt", "code.txt", "model.csp", "code"})
+        EXPECT_THAT(ran.out, HasSubstr(std::string("\n") + file + "\n"));
+}
+
+TEST(Certify, JsonAndPagesSayWhatIsTrustedAboutCode) {
+    const Ran ran = conform_with_answer("certified 12 1", "--component Walker --format json --html page.html");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    const nlohmann::json certificate = nlohmann::json::parse(ran.out).at("conformance").at(0).at("certificate");
+    EXPECT_EQ(certificate.at("certified"), true);
+    EXPECT_EQ(certificate.at("pairs"), 12);
+    EXPECT_THAT(certificate.at("trusted").get<std::string>(), HasSubstr("which robochart-replay checks"));
+    const Ran page = conform_with_answer("certified 12 1", "--component Walker --html page.html -q; cat page.html");
+    EXPECT_THAT(page.out, HasSubstr("conforms (certified: product level, unreduced, 12 pairs, 1 component)"));
+    EXPECT_THAT(page.out, HasSubstr("still trusted: "));
+}
+
+TEST(Certify, CodeHasNoCertificateForAnotherRelation) {
+    const Ran ran = conform_with_answer("certified 12 1", "--component Walker --model tick-tock");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("no certificate: there are no certificates for tick-tock"));
+    EXPECT_THAT(ran.out, Not(HasSubstr("still trusted")));
+    const Ran refused = conform_with_answer("refused it can do nothing", "--component Walker");
+    EXPECT_EQ(refused.exit, 2);
+    EXPECT_THAT(refused.out, HasSubstr("REFUSED by robochart-certify: it can do nothing"));
+}
+
 TEST(Certify, TheFolderMustBeEmpty) {
     const Ran ran =
         run_with_answer("certified 1 1", "mkdir certs; touch certs/x; \"$verify\" cspm s.csp --certify certs");

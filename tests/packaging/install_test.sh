@@ -21,6 +21,7 @@ expected="$(
     echo bin/robochart-verify
     [ ! -e "$build/app/mpi/robochart-verify-mpi" ] || echo bin/robochart-verify-mpi
     [ ! -e "$build/checker/certify/certifier/robochart-certify" ] || echo bin/robochart-certify
+    echo bin/robochart-replay
     echo include/robochart_verify.hpp
     [ ! -e "$build/librobochart_driver.a" ] || echo "$library/librobochart_driver.a"
     echo share/bash-completion/completions/robochart-verify
