@@ -188,12 +188,12 @@ let theorem (claim : Formats.claim) ~most =
       prove out
         (Printf.sprintf "refines %s (system_lts specification) (system_lts implementation)" m)
         (Printf.sprintf
-           "refinement_sound %s specification_shape specification implementation_shape implementation normal reasons found" m)
+           "refinement_sound %s specification_shape specification implementation_shape implementation None normal reasons found" m)
   | Of_property (property, shape, _, _) ->
       system out "implementation" claim.implementation shape;
       pairs_of out found ~choose:"fun _ _ => 0";
       let p = property_name property in
       prove out
         (Printf.sprintf "satisfies %s (system_lts implementation)" p)
-        (Printf.sprintf "property_sound %s implementation_shape implementation found" p));
+        (Printf.sprintf "property_sound %s implementation_shape implementation None found" p));
   Buffer.contents out

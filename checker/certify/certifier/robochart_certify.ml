@@ -38,6 +38,10 @@ let grouped n =
 
 let plural n word = Printf.sprintf "%s %s%s" (grouped n) word (if n = 1 then "" else "s")
 
+let pairs_text (figures : Certificate_check.figures) =
+  if figures.reduced then plural figures.pairs "pair" ^ ", reduced by confluent taus"
+  else "unreduced, " ^ plural figures.pairs "pair"
+
 let decide ~most folder =
   match Formats.read_claim folder with
   | exception Formats.Unreadable why -> ("", Certificate_check.Refused why)
@@ -54,8 +58,8 @@ let show ~most ~quiet folder =
   match answer with
   | Certificate_check.Certified figures ->
       if not quiet then
-        Printf.printf "CERTIFIED  %s: %s: product level, unreduced, %s, %s\n%!" (printable folder) (printable source)
-          (plural figures.pairs "pair") (plural figures.components "component");
+        Printf.printf "CERTIFIED  %s: %s: product level, %s, %s\n%!" (printable folder) (printable source)
+          (pairs_text figures) (plural figures.components "component");
       true
   | Refused why -> refuse why
   | Undecided why -> refuse ("not decided: " ^ why)
@@ -64,7 +68,7 @@ let show ~most ~quiet folder =
 let print_answer folder ~most =
   let line, code =
     match snd (decide ~most folder) with
-    | Certificate_check.Certified figures -> (Printf.sprintf "certified %d %d" figures.pairs figures.components, 0)
+    | Certificate_check.Certified figures -> (Printf.sprintf "certified %d %d%s" figures.pairs figures.components (if figures.reduced then " confluent-taus" else ""), 0)
     | Refused why -> ("refused " ^ printable why, 1)
     | Undecided why -> ("undecided " ^ printable why, 1)
   in

@@ -1,0 +1,388 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* Finds steps that are strongly confluent, so that the search may follow them (docs/search.md, "Confluent taus"). This
+   file need not be trusted: the verified check tests all conditions on these steps again. *)
+open Verified
+
+type 'a array = 'a Array.t
+
+(* Larger processes are not reduced. *)
+let most_rules = 200_000
+
+(* A proof tracks at most this many components in addition to the components of its rule. *)
+let most_beside = 4
+
+(* A proof that needs more joint states fails. *)
+let most_together = 500
+
+(* After so many joint states without a proof, no further proof with these rule and components is tried. *)
+let most_in_vain = 3_000
+
+module Keys = Hashtbl.Make (struct
+  type t = int list
+
+  let rec equal (a : t) (b : t) = match (a, b) with x :: a, y :: b -> x = y && equal a b | [], [] -> true | _ -> false
+  let hash key = List.fold_left Search.mix 0 key land max_int
+end)
+
+type answer = No | Entry of int | Larger of int
+
+(* Proofs for one rule that track the same components. *)
+type query = { rule : int; slots : int list; mutable looked : int; mutable proved : int }
+
+type t = {
+  process : system;
+  edges : (int * int) list array array;  (** by component and state *)
+  rules : whole_rule array;
+  parts : int list array;  (** by rule: its components, ascending *)
+  asking : (int, int list) Hashtbl.t array;  (** by component, by event: the rules that require the event *)
+  setting : int list array;  (** by component: the rules that assign its state *)
+  guarding : int list array;  (** by component: the rules that may be prevented in a region around it *)
+  leading : (int, int list) Hashtbl.t array;  (** by component, by event: the rules whose steps may be followed *)
+  first : int array;  (** by rule: its first query, or -1 *)
+  mutable queries : query array;
+  mutable query_count : int;
+  query_numbers : int Keys.t;
+  answers : answer Keys.t;  (** by query and states of the tracked components *)
+  entry_numbers : int Keys.t;  (** by rule, and components with their states *)
+  mutable entries : (int * cube) array;
+  mutable entry_count : int;
+  mutable learning : bool;
+  stamps : int array;  (** by rule: the last joint state in which it was examined *)
+  mutable stamp : int;
+  known : int list Keys.t;  (** by packed state: the entries to its representative *)
+  fields : (int * int * int) array;  (** by component: word, shift, bits *)
+  mutable led : int;  (** how many states were led to another state *)
+}
+
+(* Returns the number of rules of the whole process, or a larger number than `most_rules`. *)
+let count_rules (process : system) =
+  let rec count (Region (inside, rules)) =
+    let counts = List.map (function Slot _ -> None | Inner r -> Some (count r)) inside in
+    let result = Hashtbl.create 16 in
+    List.iter
+      (fun r ->
+        let ways (i, e) =
+          match List.nth_opt counts i with
+          | None -> 0
+          | Some None -> 1
+          | Some (Some t) -> Option.value ~default:0 (Hashtbl.find_opt t e)
+        in
+        let product = List.fold_left (fun n ask -> min (most_rules + 1) (n * ways ask)) 1 r.asks in
+        let before = Option.value ~default:0 (Hashtbl.find_opt result r.does) in
+        Hashtbl.replace result r.does (min (most_rules + 1) (before + product)))
+      rules;
+    result
+  in
+  Hashtbl.fold (fun _ n sum -> n + sum) (count process.whole) 0
+
+let add_to table key x = Hashtbl.replace table key (x :: Option.value ~default:[] (Hashtbl.find_opt table key))
+let listed table key = Option.value ~default:[] (Hashtbl.find_opt table key)
+
+let query_of t rule slots =
+  let key = rule :: slots in
+  match Keys.find_opt t.query_numbers key with
+  | Some q -> q
+  | None ->
+      let q = t.query_count in
+      let query = { rule; slots; looked = 0; proved = 0 } in
+      if q = Array.length t.queries then t.queries <- Array.append t.queries (Array.make (q + 16) query);
+      t.queries.(q) <- query;
+      t.query_count <- q + 1;
+      Keys.add t.query_numbers key q;
+      q
+
+(* By component: the word that contains its state, and the bits in this word. *)
+let fields_of (layout : layout) =
+  let field word (shift, found) bits = (shift + bits, (word, shift, bits) :: found) in
+  Array.of_list
+    (List.concat (List.mapi (fun word group -> List.rev (snd (List.fold_left (field word) (0, []) group))) layout.groups))
+
+(* `any`: steps with any event may be followed. *)
+let prepare (process : system) sizes (layout : layout) ~any =
+  let edges = Array.of_list (List.mapi (fun k size -> Array.init size (process.edges k)) sizes) in
+  let count = Array.length edges in
+  let rules = Array.of_list (rules_of_whole process) in
+  let slots_of_rule w = List.sort_uniq Int.compare (List.map item_slot w.items) in
+  let new_tables () = Array.init count (fun _ -> Hashtbl.create 16) in
+  let asking = new_tables () and leading = new_tables () in
+  let setting = Array.make count [] and guarding = Array.make count [] in
+  let share = Array.map (fun rows ->
+      let counts = Hashtbl.create 16 in
+      Array.iter (fun row -> List.iter (fun e -> Hashtbl.replace counts e (1 + Option.value ~default:0 (Hashtbl.find_opt counts e)))
+                     (List.sort_uniq Int.compare (List.map fst row))) rows;
+      fun e -> float_of_int (Option.value ~default:0 (Hashtbl.find_opt counts e)) /. float_of_int (max 1 (Array.length rows))) edges in
+  let t =
+    { process; edges; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
+      first = Array.make (Array.length rules) (-1); queries = [||]; query_count = 0; query_numbers = Keys.create 1000;
+      answers = Keys.create 1000; entry_numbers = Keys.create 1000; entries = [||]; entry_count = 0; learning = true;
+      stamps = Array.make (Array.length rules) 0; stamp = 0; known = Keys.create 1000; fields = fields_of layout; led = 0 }
+  in
+  for n = Array.length rules - 1 downto 0 do
+    let w = rules.(n) in
+    List.iter
+      (function Performs (k, e) -> if not (List.mem n (listed asking.(k) e)) then add_to asking.(k) e n
+        | Sets (k, _) -> if k < count then setting.(k) <- n :: setting.(k))
+      w.items;
+    let around = List.sort_uniq Int.compare (List.concat_map (fun g -> if g.prior then g.around else []) w.passages) in
+    List.iter (fun k -> guarding.(k) <- n :: guarding.(k)) around;
+    let candidate = (any || w.performed = 0) && not (List.exists (fun g -> g.prior) w.passages)
+                    && List.for_all (fun k -> k < count) t.parts.(n) in
+    if candidate then begin
+      let rarer best = function
+        | Performs (k, e) -> (
+            match best with Some (j, d) when share.(j) d <= share.(k) e -> best | _ -> Some (k, e))
+        | Sets _ -> best
+      in
+      match List.fold_left rarer None w.items with
+      | Some (k, e) ->
+          t.first.(n) <- query_of t n t.parts.(n);
+          add_to leading.(k) e n
+      | None -> ()
+    end
+  done;
+  t
+
+let cube_of slots values = List.combine slots values
+
+let entry_key rule cube = List.fold_left (fun key (k, v) -> k :: v :: key) [ rule ] cube
+
+let add_entry t rule cube =
+  let key = entry_key rule cube in
+  match Keys.find_opt t.entry_numbers key with
+  | Some j -> j
+  | None ->
+      let j = t.entry_count in
+      if j = Array.length t.entries then t.entries <- Array.append t.entries (Array.make (j + 16) (rule, cube));
+      t.entries.(j) <- (rule, cube);
+      t.entry_count <- j + 1;
+      Keys.add t.entry_numbers key j;
+      j
+
+exception Disturbed of int option
+
+let events_of row = List.sort_uniq Int.compare (List.map fst row)
+
+(* Examines the other rules in one joint state. Returns the joint states to which they lead, each with the rule. Raises
+   `Disturbed` with the first rule for which a condition fails. *)
+let examine t rule slots values =
+  let r = t.rules.(rule) and cube = cube_of slots values in
+  if not (List.for_all (sure t.process cube) r.items) then raise (Disturbed None);
+  t.stamp <- t.stamp + 1;
+  let found = ref [] in
+  let consider n =
+    if t.stamps.(n) <> t.stamp then begin
+      t.stamps.(n) <- t.stamp;
+      let w = t.rules.(n) in
+      if not (n = rule || cannot_fire t.process r cube w || (w.performed = r.performed && same_items w.items r.items)) then
+        if List.for_all (commutes t.process r.items cube) w.items && List.for_all (undisturbed t.process r.items cube) w.passages
+        then List.iter (fun o -> found := (n, List.map snd o) :: !found) (outcomes t.process cube w.items cube)
+        else raise (Disturbed (Some n))
+    end
+  in
+  List.iter2
+    (fun k v ->
+      List.iter (fun e -> List.iter consider (listed t.asking.(k) e)) (events_of t.edges.(k).(v));
+      List.iter consider t.setting.(k))
+    slots values;
+  List.iter (fun k -> List.iter consider t.guarding.(k)) t.parts.(rule);
+  List.rev !found
+
+(* The next query after a failed proof: the first of these rules that has some components that are not tracked. *)
+let larger t query rules =
+  let most = List.length t.parts.(query.rule) + most_beside in
+  let extend n =
+    let performers = List.filter_map (function Performs (k, _) -> Some k | Sets _ -> None) t.rules.(n).items in
+    let slots = List.sort_uniq Int.compare (performers @ query.slots) in
+    let count = List.length slots in
+    if count > List.length query.slots && count <= most then Some slots else None
+  in
+  match List.find_map extend rules with Some slots -> Larger (query_of t query.rule slots) | None -> No
+
+(* Collects the joint states that other rules can reach before the rule fires. *)
+let prove t q values =
+  let query = t.queries.(q) in
+  let seen = Keys.create 16 and order = Queue.create () in
+  let add values path =
+    if not (Keys.mem seen values) then begin
+      Keys.add seen values ();
+      Queue.add (values, path) order
+    end
+  in
+  add values [];
+  let proved = ref [] in
+  let rec go () =
+    match Queue.take_opt order with
+    | None ->
+        let enter values =
+          let j = add_entry t query.rule (cube_of query.slots values) in
+          Keys.replace t.answers (q :: values) (Entry j)
+        in
+        List.iter enter (List.rev !proved);
+        query.proved <- query.proved + 1;
+        Keys.find t.answers (q :: values)
+    | Some (here, path) ->
+        query.looked <- query.looked + 1;
+        if Keys.length seen > most_together then No
+        else begin
+          match examine t query.rule query.slots here with
+          | next ->
+              proved := here :: !proved;
+              List.iter (fun (n, values) -> add values (n :: path)) next;
+              go ()
+          | exception Disturbed None -> No
+          | exception Disturbed (Some n) -> larger t query (n :: path)
+        end
+  in
+  go ()
+
+let rec answer t (locals : int array) q =
+  let query = t.queries.(q) in
+  let values = List.map (fun k -> locals.(k)) query.slots in
+  let key = q :: values in
+  match Keys.find_opt t.answers key with
+  | Some (Entry j) -> Some j
+  | Some No -> None
+  | Some (Larger q) -> answer t locals q
+  | None ->
+      if (not t.learning) || (query.proved = 0 && query.looked > most_in_vain) then None
+      else begin
+        let found = prove t q values in
+        Keys.replace t.answers key found;
+        match found with Entry j -> Some j | No -> None | Larger q -> answer t locals q
+      end
+
+(* Returns the entry of the first step that may be followed. *)
+let first_entry t locals =
+  let count = Array.length locals in
+  let rec at_slot k =
+    if k = count then None
+    else
+      let rec at_event = function
+        | [] -> at_slot (k + 1)
+        | e :: rest -> (
+            match List.find_map (fun n -> answer t locals t.first.(n)) (listed t.leading.(k) e) with
+            | Some j -> Some j
+            | None -> at_event rest)
+      in
+      let v = locals.(k) in
+      if v >= Array.length t.edges.(k) then at_slot (k + 1)
+      else if Hashtbl.length t.leading.(k) = 0 then at_slot (k + 1)
+      else at_event (events_of t.edges.(k).(v))
+  in
+  at_slot 0
+
+let perform t locals j =
+  let rule, cube = t.entries.(j) in
+  let result = Array.copy locals in
+  List.iter
+    (function
+      | Performs (k, e) -> result.(k) <- goal t.process k e (Option.get (local_in cube k))
+      | Sets (k, x) -> result.(k) <- x)
+    t.rules.(rule).items;
+  result
+
+let unpack t words =
+  let words = Array.of_list words in
+  Array.map (fun (word, shift, bits) -> (words.(word) lsr shift) land ((1 lsl bits) - 1)) t.fields
+
+let longest_sequence = 1_000
+
+(* Returns the entries that lead from a state to its representative. If the followed steps form a cycle, this is the least
+   state of the cycle. *)
+let path_from t locals =
+  let rec go locals path before =
+    if List.length path >= longest_sequence then List.rev path
+    else
+      match first_entry t locals with
+      | None -> List.rev path
+      | Some j ->
+          let next = perform t locals j in
+          let before = locals :: before in
+          let rec cycle = function
+            | [] -> None
+            | s :: rest -> if s = next then Some [ s ] else Option.map (fun c -> s :: c) (cycle rest)
+          in
+          (match cycle before with
+          | None -> go next (j :: path) before
+          | Some states ->
+              let least = List.fold_left min (List.hd states) states in
+              let steps = List.rev path and seen = List.rev before in
+              let rec until seen steps =
+                match (seen, steps) with
+                | s :: _, _ when s = least -> []
+                | _ :: seen, j :: steps -> j :: until seen steps
+                | _ -> []
+              in
+              until seen steps)
+  in
+  go locals [] []
+
+let most_known = 2_000_000
+
+let hint t words =
+  match Keys.find_opt t.known words with
+  | Some path -> path
+  | None ->
+      let path = path_from t (unpack t words) in
+      if Keys.length t.known >= most_known then Keys.reset t.known;
+      Keys.add t.known words path;
+      path
+
+let reduction t : reduction =
+  let count = t.entry_count in
+  { entries = count;
+    follows = (fun j -> fst t.entries.(j));
+    states_of = (fun j -> snd t.entries.(j));
+    entry_after =
+      (fun j cube -> Option.value ~default:count (Keys.find_opt t.entry_numbers (entry_key (fst t.entries.(j)) cube)));
+    hint = hint t }
+
+let pack t words locals =
+  let result = Array.make (List.length words) 0 in
+  Array.iteri (fun k (word, shift, _) -> result.(word) <- result.(word) lor (locals.(k) lsl shift)) t.fields;
+  Array.to_list result
+
+(* Explores the reduced system depth first, and learns which steps may be followed. Returns false if this does not make
+   the system noticeably smaller. *)
+let sample_size = 20_000
+
+let learn t (lts : Search.words lts) ~most =
+  let store = Search.new_store (List.length lts.init) in
+  let stack = Stack.create () in
+  let targets = ref 0 in
+  let add words =
+    incr targets;
+    let path = hint t words in
+    let words =
+      if path = [] then words
+      else begin
+        t.led <- t.led + 1;
+        pack t words (List.fold_left (perform t) (unpack t words) path)
+      end
+    in
+    let before = store.Search.filled in
+    if Search.insert store words 0 = before then Stack.push words stack
+  in
+  add lts.init;
+  let worthwhile () = 10 * t.led >= !targets in
+  let rec go () =
+    if Stack.is_empty stack then t.led > 0
+    else if store.Search.filled > most then t.led > 0
+    else if store.Search.filled > sample_size && not (worthwhile ()) then false
+    else begin
+      List.iter (fun (_, u) -> add u) (lts.succ0 (Stack.pop stack));
+      go ()
+    end
+  in
+  let useful = go () in
+  t.learning <- false;
+  useful
+
+(* Returns a reduction of the process, if there is one that helps. *)
+let reduction_of (process : system) sizes layout (lts : Search.words lts) ~any ~most =
+  if count_rules process > most_rules then None
+  else
+    let t = prepare process sizes layout ~any in
+    if Array.for_all (fun q -> q < 0) t.first then None
+    else if learn t lts ~most then Some (reduction t)
+    else None
