@@ -32,6 +32,8 @@ type query = { rule : int; slots : int list; mutable looked : int; mutable prove
 type t = {
   process : system;
   edges : (int * int) list array array;  (** by component and state *)
+  events : int array array array;  (** by component and state: the events that it can perform, ascending *)
+  overruled : Bytes.t array;  (** by followed rule, by rule: '?' not known, 'y' prevented by the followed rule, 'n' not *)
   rules : whole_rule array;
   parts : int list array;  (** by rule: its components, ascending *)
   asking : (int, int list) Hashtbl.t array;  (** by component, by event: the rules that require the event *)
@@ -101,7 +103,9 @@ let fields_of (layout : layout) =
 let prepare (process : system) sizes (layout : layout) ~any =
   let edges = Array.of_list (List.mapi (fun k size -> Array.init size (process.edges k)) sizes) in
   let count = Array.length edges in
+  let process = { process with edges = (fun k v -> if k < count && v < Array.length edges.(k) then edges.(k).(v) else []) } in
   let rules = Array.of_list (rules_of_whole process) in
+  let events_of row = Array.of_list (List.sort_uniq Int.compare (List.map fst row)) in
   let slots_of_rule w = List.sort_uniq Int.compare (List.map item_slot w.items) in
   let new_tables () = Array.init count (fun _ -> Hashtbl.create 16) in
   let asking = new_tables () and leading = new_tables () in
@@ -112,7 +116,7 @@ let prepare (process : system) sizes (layout : layout) ~any =
                      (List.sort_uniq Int.compare (List.map fst row))) rows;
       fun e -> float_of_int (Option.value ~default:0 (Hashtbl.find_opt counts e)) /. float_of_int (max 1 (Array.length rows))) edges in
   let t =
-    { process; edges; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
+    { process; edges; events = Array.map (Array.map events_of) edges; overruled = Array.make (Array.length rules) Bytes.empty; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
       first = Array.make (Array.length rules) (-1); queries = [||]; query_count = 0; query_numbers = Keys.create 1000;
       answers = Keys.create 1000; entry_numbers = Keys.create 1000; entries = [||]; entry_count = 0; learning = true;
       stamps = Array.make (Array.length rules) 0; stamp = 0; known = Keys.create 1000; fields = fields_of layout; led = 0 }
@@ -160,7 +164,17 @@ let add_entry t rule cube =
 
 exception Disturbed of int option
 
-let events_of row = List.sort_uniq Int.compare (List.map fst row)
+let can t k v e =
+  let events = t.events.(k).(v) in
+  Search.place_of Fun.id events e < Array.length events
+
+(* Returns whether the followed rule prevents the other rule by a priority. *)
+let is_overruled t rule n =
+  if Bytes.length t.overruled.(rule) = 0 then t.overruled.(rule) <- Bytes.make (Array.length t.rules) '?';
+  let known = t.overruled.(rule) in
+  if Bytes.get known n = '?' then
+    Bytes.set known n (if cannot_fire t.process t.rules.(rule) [] t.rules.(n) then 'y' else 'n');
+  Bytes.get known n = 'y'
 
 (* Examines the other rules in one joint state. Returns the joint states to which they lead, each with the rule. Raises
    `Disturbed` with the first rule for which a condition fails. *)
@@ -169,11 +183,15 @@ let examine t rule slots values =
   if not (List.for_all (sure t.process cube) r.items) then raise (Disturbed None);
   t.stamp <- t.stamp + 1;
   let found = ref [] in
+  let impossible = function
+    | Performs (k, e) -> ( match local_in cube k with Some v -> not (can t k v e) | None -> false)
+    | Sets _ -> false
+  in
   let consider n =
     if t.stamps.(n) <> t.stamp then begin
       t.stamps.(n) <- t.stamp;
       let w = t.rules.(n) in
-      if not (n = rule || cannot_fire t.process r cube w || (w.performed = r.performed && same_items w.items r.items)) then
+      if not (n = rule || List.exists impossible w.items || is_overruled t rule n || (w.performed = r.performed && same_items w.items r.items)) then
         if List.for_all (commutes t.process r.items cube) w.items && List.for_all (undisturbed t.process r.items cube) w.passages
         then List.iter (fun o -> found := (n, List.map snd o) :: !found) (outcomes t.process cube w.items cube)
         else raise (Disturbed (Some n))
@@ -181,7 +199,7 @@ let examine t rule slots values =
   in
   List.iter2
     (fun k v ->
-      List.iter (fun e -> List.iter consider (listed t.asking.(k) e)) (events_of t.edges.(k).(v));
+      Array.iter (fun e -> List.iter consider (listed t.asking.(k) e)) t.events.(k).(v);
       List.iter consider t.setting.(k))
     slots values;
   List.iter (fun k -> List.iter consider t.guarding.(k)) t.parts.(rule);
@@ -267,7 +285,7 @@ let first_entry t locals =
       let v = locals.(k) in
       if v >= Array.length t.edges.(k) then at_slot (k + 1)
       else if Hashtbl.length t.leading.(k) = 0 then at_slot (k + 1)
-      else at_event (events_of t.edges.(k).(v))
+      else at_event (Array.to_list t.events.(k).(v))
   in
   at_slot 0
 

@@ -2026,6 +2026,18 @@ let confluent_ok y c any =
   let around_of = by_slot y (guarding rules) in
   all_below (entry_ok y c any rule_at near around_of) c.entries
 
+(** val tabled : layout -> system -> system **)
+
+let tabled l y =
+  let rows =
+    map (fun k -> table (size_of l k) (y.edges k))
+      (seq 0 (length (concat l.groups)))
+  in
+  { edges = (fun k v ->
+  match nth_error rows k with
+  | Some f -> f v
+  | None -> y.edges k v); start = y.start; whole = y.whole }
+
 (** val cube_state : cube -> int -> Uint63.t **)
 
 let cube_state c k =
@@ -2042,10 +2054,10 @@ let tests_of l c =
 (** val writes_of :
     layout -> system -> whole_rule option -> cube -> (field * Uint63.t) list **)
 
-let writes_of l y r c =
+let writes_of l t r c =
   match r with
   | Some r0 ->
-    set_all (write_local l) (map (change_of y (cube_state c)) r0.items)
+    set_all (write_local l) (map (change_of t (cube_state c)) r0.items)
   | None -> []
 
 (** val passes :
@@ -2058,10 +2070,11 @@ let passes tests x =
     layout -> system -> reduction -> Uint63.t list -> Uint63.t list **)
 
 let lead_on l y c =
-  let rule_at = element (rules_of_whole y) in
+  let z0 = tabled l y in
+  let rule_at = element (rules_of_whole z0) in
   let rows =
     table c.entries (fun j -> ((tests_of l (c.states_of j)),
-      (writes_of l y (rule_at (c.follows j)) (c.states_of j))))
+      (writes_of l z0 (rule_at (c.follows j)) (c.states_of j))))
   in
   (fun x ->
   fold_left (fun x0 j ->
@@ -2114,7 +2127,7 @@ let searched any h r y =
 
 let reduction_ok any h r y =
   match r with
-  | Some r0 -> confluent_ok (merged h.merges y) r0 any
+  | Some r0 -> confluent_ok (tabled h.packs (merged h.merges y)) r0 any
   | None -> true
 
 (** val certify_refinement :

@@ -648,6 +648,8 @@ val entry_ok :
 
 val confluent_ok : system -> reduction -> bool -> bool
 
+val tabled : layout -> system -> system
+
 val cube_state : cube -> int -> Uint63.t
 
 val tests_of : layout -> cube -> ((Uint63.t list -> Uint63.t) * Uint63.t) list

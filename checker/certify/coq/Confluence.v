@@ -600,6 +600,29 @@ Section Confluence.
 End Confluence.
 
 (** Packed states. *)
+(* The same process, with a table of its transitions. *)
+Definition tabled (L : layout) (Y : system) : system :=
+  let rows := map (fun k => table (size_of L k) (edges Y k)) (seq 0 (List.length (concat (groups L)))) in
+  {| edges := fun k v => match nth_error rows k with Some f => f v | None => edges Y k v end; start := start Y; whole := whole Y |}.
+Lemma tabled_edges : forall L Y k v, edges (tabled L Y) k v = edges Y k v.
+Proof.
+  intros L Y k v. cbn [tabled edges]. cbn zeta. rewrite nth_error_map.
+  destruct (nth_error (seq 0 (List.length (concat (groups L)))) k) as [i |] eqn:E; [| reflexivity ].
+  cbn [option_map]. rewrite table_spec. apply nth_error_nth with (d := 0%nat) in E as E'.
+  assert (B : (k < List.length (concat (groups L)))%nat)
+    by (rewrite <- (seq_length (List.length (concat (groups L))) 0); apply nth_error_Some; congruence).
+  rewrite seq_nth in E' by exact B. cbn in E'. subst. reflexivity.
+Qed.
+Lemma tabled_moves : forall L Y s r, moves (tabled L Y) s r = moves Y s r.
+Proof.
+  intros L Y s. induction r as [parts rules IH] using region_rect'. cbn [moves]. f_equal. apply map_ext_in.
+  intros p Hp. destruct p as [k | r']; [| exact (IH r' Hp) ]. unfold slot_moves. rewrite tabled_edges. reflexivity.
+Qed.
+Lemma tabled_step : forall L Y s a u, step (system_lts (tabled L Y)) s a u <-> step (system_lts Y) s a u.
+Proof.
+  intros. unfold step. cbn [system_lts succ]. change (whole (tabled L Y)) with (whole Y). rewrite tabled_moves. reflexivity.
+Qed.
+
 Section Following.
   Variable L : layout.
   Variable Y : system.
@@ -607,18 +630,20 @@ Section Following.
   Variable any : bool.
   Let bits := concat (groups L).
   Let n := List.length (start Y).
+  Let Z := tabled L Y.
 
   Definition cube_state (c : cube) (k : nat) : int := match local_in c k with Some v => v | None => 0 end.
   Definition tests_of (c : cube) : list ((list int -> int) * int) := map (fun kv => (read_local L (fst kv), snd kv)) c.
-  Definition writes_of (R : option whole_rule) (c : cube) : list (field * int) :=
+  Definition writes_of (T : system) (R : option whole_rule) (c : cube) : list (field * int) :=
     match R with
-    | Some R => set_all (field * int) (write_local L) (map (change_of Y (cube_state c)) (items R))
+    | Some R => set_all (field * int) (write_local L) (map (change_of T (cube_state c)) (items R))
     | None => []
     end.
   Definition passes (tests : list ((list int -> int) * int)) (x : list int) : bool := forallb (fun t => fst t x =? snd t) tests.
   Definition lead_on : list int -> list int :=
-    let rule_at := element (rules_of_whole Y) in
-    let rows := table (entries C) (fun j => (tests_of (states_of C j), writes_of (rule_at (follows C j)) (states_of C j))) in
+    let T := Z in
+    let rule_at := element (rules_of_whole T) in
+    let rows := table (entries C) (fun j => (tests_of (states_of C j), writes_of T (rule_at (follows C j)) (states_of C j))) in
     fun x => fold_left (fun x j =>
       if j <? entries C then
         let row := rows j in if passes (fst row) x then fold_left write_field (snd row) x else x
@@ -627,10 +652,10 @@ Section Following.
   Definition reduced : lts (list int) := let f := lead_on in led f unreduced.
 
   Hypothesis fine : system_ok L Y = true.
-  Hypothesis checked : confluent_ok Y C any = true.
+  Hypothesis checked : confluent_ok Z C any = true.
   Definition packs (s x : list int) : Prop := fits bits s = true /\ x = pack (groups L) s.
   Definition good (x : list int) : Prop := exists s, packs s x.
-  Definition goes (x y : list int) : Prop := exists s t, packs s x /\ packs t y /\ followed Y C s t.
+  Definition goes (x y : list int) : Prop := exists s t, packs s x /\ packs t y /\ followed Z C s t.
 
   Lemma fits_n : forall s, fits bits s = true -> List.length s = n.
   Proof.
@@ -644,11 +669,11 @@ Section Following.
     - rewrite hidden_step. split; [ intros (E & a & H) | intros (a & E & H) ]; eauto.
     - split; [ intros H; exists b; auto | intros (a & E & H); subst; exact H ].
   Qed.
-  Lemma packed_step : forall s x a y, packs s x -> (step (packed L Y) x a y <-> exists u, packs u y /\ step (system_lts Y) s a u).
+  Lemma packed_step : forall s x a y, packs s x -> (step (packed L Y) x a y <-> exists u, packs u y /\ step (system_lts Z) s a u).
   Proof.
     intros s x a y [F E]. subst x. destruct (packed_bisimulation L Y fine) as (_ & H2 & H3). rewrite (H3 s F a y). split.
-    - intros (u & E & St). exists u. split; [ split; [ exact (H2 s a u F St) | exact E ] | exact St ].
-    - intros (u & [_ E] & St). eauto.
+    - intros (u & E & St). exists u. split; [ split; [ exact (H2 s a u F St) | exact E ] | apply tabled_step; exact St ].
+    - intros (u & [_ E] & St). exists u. split; [ exact E | apply tabled_step in St; exact St ].
   Qed.
 
   Lemma good_start : good (init unreduced).
@@ -663,7 +688,7 @@ Section Following.
   Qed.
   Lemma goes_tau : forall x y, good x -> goes x y -> step unreduced x tau y.
   Proof.
-    intros x y _ (s & t & Gs & Gt & F). destruct (followed_step Y C any checked s t F) as (a & A & St).
+    intros x y _ (s & t & Gs & Gt & F). destruct (followed_step Z C any checked s t F) as (a & A & St).
     apply unreduced_step. exists a. split.
     - destruct any; [ reflexivity |]. destruct A as [A | A]; [ discriminate | exact A ].
     - apply (packed_step s x a y Gs). eauto.
@@ -673,19 +698,19 @@ Section Following.
   Proof.
     intros x y b z _ (s & t & Gs & Gt & F) St. apply unreduced_step in St. destruct St as (a & A & St).
     apply (packed_step s x a z Gs) in St. destruct St as (u & Gu & St).
-    destruct (square Y C any checked s t a u F St) as [[K E] | (v & Sv & Fv)].
+    destruct (square Z C any checked s t a u F St) as [[K E] | (v & Sv & Fv)].
     - left. subst u. split.
       + destruct any; [ exact A | destruct K as [K | K]; [ discriminate | congruence ]].
       + destruct Gu as [_ Eu]. destruct Gt as [_ Et]. congruence.
     - right. assert (Sp : exists w, packs v w /\ step (packed L Y) y a w).
       { exists (pack (groups L) v). destruct (packed_bisimulation L Y fine) as (_ & H2 & _).
-        assert (Gv : packs v (pack (groups L) v)) by (split; [ exact (H2 t a v (proj1 Gt) Sv) | reflexivity ]).
+        assert (Gv : packs v (pack (groups L) v)) by (split; [ exact (H2 t a v (proj1 Gt) (proj1 (tabled_step L Y t a v) Sv)) | reflexivity ]).
         split; [ exact Gv |]. apply (packed_step t y a _ Gt). eauto. }
       destruct Sp as (w & Gw & Sw). exists w. split; [ apply unreduced_step; exists a; auto |]. exists u, v. auto.
   Qed.
 
-  Lemma cube_changes : forall s c its, in_cube s c -> forallb (sure Y c) its = true ->
-    map (change_of Y (cube_state c)) its = changes_at Y s its.
+  Lemma cube_changes : forall s c its, in_cube s c -> forallb (sure Z c) its = true ->
+    map (change_of Z (cube_state c)) its = changes_at Z s its.
   Proof.
     intros s c its G H. rewrite forallb_forall in H. apply map_ext_in. intros it Hit. specialize (H it Hit).
     unfold sure in H. destruct (Nat.ltb _ _); [| discriminate ]. destruct it as [k e | k x]; [| reflexivity ].
@@ -696,33 +721,34 @@ Section Following.
     intros x. unfold lead_on. cbn zeta.
     assert (K : forall l x, good x -> exists k, row goes k x (fold_left (fun x j =>
       if j <? entries C then
-        if passes (fst (table (entries C) (fun j => (tests_of (states_of C j), writes_of (element (rules_of_whole Y) (follows C j)) (states_of C j))) j)) x
-        then fold_left write_field (snd (table (entries C) (fun j => (tests_of (states_of C j), writes_of (element (rules_of_whole Y) (follows C j)) (states_of C j))) j)) x else x
+        if passes (fst (table (entries C) (fun j => (tests_of (states_of C j), writes_of Z (element (rules_of_whole Z) (follows C j)) (states_of C j))) j)) x
+        then fold_left write_field (snd (table (entries C) (fun j => (tests_of (states_of C j), writes_of Z (element (rules_of_whole Z) (follows C j)) (states_of C j))) j)) x else x
       else x) l x)); [| intros G; exact (K (hint C x) x G) ].
     clear x. induction l as [| j l IH]; intros x G; [ exists 0%nat; constructor |]. cbn [fold_left].
     destruct (j <? entries C) eqn:Hj; [| exact (IH x G) ]. rewrite table_spec. cbn [fst snd].
     destruct (passes (tests_of (states_of C j)) x) eqn:PS; [| exact (IH x G) ].
-    destruct G as (s & G). destruct (entries_hold Y C any checked j Hj) as (R & ER & HE). rewrite ER. cbn [writes_of].
+    destruct G as (s & G). destruct (entries_hold Z C any checked j Hj) as (R & ER & HE). rewrite ER. cbn [writes_of].
     pose proof fine as FN. unfold system_ok in FN. rewrite !andb_true_iff in FN. destruct FN as [[[[HN _] _] HB] HEB].
     assert (IC : in_cube s (states_of C j)).
     { intros k v E. apply local_in_list in E. unfold passes in PS. rewrite forallb_forall in PS.
       specialize (PS (read_local L k, v) (in_map (fun kv => (read_local L (fst kv), snd kv)) _ _ E)). cbn [fst snd] in PS.
       apply eqb_true in PS. destruct G as [F Ex]. subst x. rewrite (read_packed L HN s F k) in PS. exact PS. }
     pose proof HE as (HR & HA & HP & HS & _). rewrite (cube_changes s _ _ IC HS).
-    assert (F : followed Y C s (apply s (changes_at Y s (items R)))).
+    assert (F : followed Z C s (apply s (changes_at Z s (items R)))).
     { split; [ exact (fits_n s (proj1 G)) |]. exists j, R. auto. }
-    destruct (followed_step Y C any checked _ _ F) as (a & _ & St).
+    destruct (followed_step Z C any checked _ _ F) as (a & _ & St).
     destruct (packed_bisimulation L Y fine) as (_ & H2 & _).
-    assert (Gt : packs (apply s (changes_at Y s (items R))) (pack (groups L) (apply s (changes_at Y s (items R)))))
-      by (split; [ exact (H2 _ _ _ (proj1 G) St) | reflexivity ]).
+    assert (Gt : packs (apply s (changes_at Z s (items R))) (pack (groups L) (apply s (changes_at Z s (items R)))))
+      by (split; [ exact (H2 _ _ _ (proj1 G) (proj1 (tabled_step L Y _ _ _) St)) | reflexivity ]).
     destruct G as [Fs Ex]. subst x.
-    rewrite (write_packed L HN (changes_at Y s (items R)) s Fs).
-    - destruct (IH _ (ex_intro (fun v => packs v _) _ Gt)) as (k & W). exists (S k). apply (row_more goes k _ (pack (groups L) (apply s (changes_at Y s (items R))))).
-      + exists s, (apply s (changes_at Y s (items R))). split; [ split; [ exact Fs | reflexivity ] | auto ].
+    rewrite (write_packed L HN (changes_at Z s (items R)) s Fs).
+    - destruct (IH _ (ex_intro (fun v => packs v _) _ Gt)) as (k & W). exists (S k). apply (row_more goes k _ (pack (groups L) (apply s (changes_at Z s (items R))))).
+      + exists s, (apply s (changes_at Z s (items R))). split; [ split; [ exact Fs | reflexivity ] | auto ].
       + exact W.
-    - intros c Hc. apply (moves_bounded L Y HEB s Fs (whole Y) HB (performed R, changes_at Y s (items R)) c); [| exact Hc ].
-      apply (whole_moves Y s (whole Y) []). exists R. split; [ exact HR | split; [ reflexivity |]].
-      exact (entry_enabled Y C any s j R IC HE).
+    - intros c Hc. apply (moves_bounded L Y HEB s Fs (whole Y) HB (performed R, changes_at Z s (items R)) c); [| exact Hc ].
+      rewrite <- (tabled_moves L Y).
+      apply (whole_moves Z s (whole Z) []). exists R. split; [ exact HR | split; [ reflexivity |]].
+      exact (entry_enabled Z C any s j R IC HE).
   Qed.
 
   Theorem reduced_property_unreduced : forall p, satisfies p reduced -> satisfies p unreduced.
@@ -737,10 +763,10 @@ End Following.
 
 (* If only deadlocks matter, steps with any event may be followed. *)
 Definition only_deadlocks (p : property) : bool := match p with Deadlock_free => true | _ => false end.
-Theorem reduced_implementation : forall L Y C A m (spec : lts A), system_ok L Y = true -> confluent_ok Y C false = true ->
+Theorem reduced_implementation : forall L Y C A m (spec : lts A), system_ok L Y = true -> confluent_ok (tabled L Y) C false = true ->
   refines m spec (reduced L Y C false) -> refines m spec (packed L Y).
 Proof. intros L Y C A m spec H1 H2. exact (reduced_implementation_unreduced L Y C false H1 H2 A m spec). Qed.
-Theorem reduced_property : forall L Y C p, system_ok L Y = true -> confluent_ok Y C (only_deadlocks p) = true ->
+Theorem reduced_property : forall L Y C p, system_ok L Y = true -> confluent_ok (tabled L Y) C (only_deadlocks p) = true ->
   satisfies p (reduced L Y C (only_deadlocks p)) -> satisfies p (packed L Y).
 Proof.
   intros L Y C p H1 H2 H. apply (reduced_property_unreduced _ _ _ _ H1 H2) in H.
