@@ -26,32 +26,53 @@ end)
 
 type answer = No | Entry of int | Larger of int
 
-(* Proofs for one rule that track the same components. *)
-type query = { rule : int; slots : int list; mutable looked : int; mutable proved : int }
+module Numbers = Hashtbl.Make (struct
+  type t = int
+
+  let equal (a : t) b = a = b
+  let hash key = Search.mix 0 key land max_int
+end)
+
+(* Proofs for one rule that track the same components, and their answers by the states of these components. *)
+type query = {
+  rule : int;
+  slots : int array;
+  weights : int array;
+  answers : answer Numbers.t;
+  mutable looked : int;
+  mutable proved : int;
+}
+
+(* The joint states of tracked components are numbered up to this number. *)
+let most_joint = 1 lsl 60
 
 type t = {
   process : system;
   edges : (int * int) list array array;  (** by component and state *)
-  events : int array array array;  (** by component and state: the events that it can perform, ascending *)
+  events : int list array array;  (** by component and state: the events that it can perform, ascending *)
+  event_count : int;
+  able : Bytes.t array;  (** by component, by state and event: 'y' if the event is possible *)
   overruled : Bytes.t array;  (** by followed rule, by rule: '?' not known, 'y' prevented by the followed rule, 'n' not *)
   rules : whole_rule array;
   parts : int list array;  (** by rule: its components, ascending *)
-  asking : (int, int list) Hashtbl.t array;  (** by component, by event: the rules that require the event *)
+  asking : int list array array;  (** by component, by event: the rules that require the event *)
   setting : int list array;  (** by component: the rules that assign its state *)
   guarding : int list array;  (** by component: the rules that may be prevented in a region around it *)
-  leading : (int, int list) Hashtbl.t array;  (** by component, by event: the rules whose steps may be followed *)
+  leading : int list array array;  (** by component, by event: the rules whose steps may be followed *)
+  leaders : int list option array array;  (** by component, by state: the rules of all its events *)
   first : int array;  (** by rule: its first query, or -1 *)
   mutable queries : query array;
   mutable query_count : int;
   query_numbers : int Keys.t;
-  answers : answer Keys.t;  (** by query and states of the tracked components *)
   entry_numbers : int Keys.t;  (** by rule, and components with their states *)
   mutable entries : (int * cube) array;
   mutable entry_count : int;
   mutable learning : bool;
   stamps : int array;  (** by rule: the last joint state in which it was examined *)
   mutable stamp : int;
+  performs : (int * int) list array;  (** by rule: the components and events that it requires *)
   known : int list Keys.t;  (** by packed state: the entries to its representative *)
+  words : int;  (** of a packed state *)
   fields : (int * int * int) array;  (** by component: word, shift, bits *)
   mutable led : int;  (** how many states were led to another state *)
 }
@@ -77,19 +98,27 @@ let count_rules (process : system) =
   in
   Hashtbl.fold (fun _ n sum -> n + sum) (count process.whole) 0
 
-let add_to table key x = Hashtbl.replace table key (x :: Option.value ~default:[] (Hashtbl.find_opt table key))
-let listed table key = Option.value ~default:[] (Hashtbl.find_opt table key)
-
+(* Returns the number of the query, or -1 if its components have too many joint states. *)
 let query_of t rule slots =
   let key = rule :: slots in
   match Keys.find_opt t.query_numbers key with
   | Some q -> q
   | None ->
-      let q = t.query_count in
-      let query = { rule; slots; looked = 0; proved = 0 } in
-      if q = Array.length t.queries then t.queries <- Array.append t.queries (Array.make (q + 16) query);
-      t.queries.(q) <- query;
-      t.query_count <- q + 1;
+      let slots = Array.of_list slots in
+      let size = ref 1 in
+      let weight k =
+        let weight = !size and states = max 1 (Array.length t.edges.(k)) in
+        size := if weight > most_joint / states then most_joint else weight * states;
+        weight
+      in
+      let weights = Array.map weight slots in
+      let q = if !size >= most_joint then -1 else t.query_count in
+      if q >= 0 then begin
+        let query = { rule; slots; weights; answers = Numbers.create 16; looked = 0; proved = 0 } in
+        if q = Array.length t.queries then t.queries <- Array.append t.queries (Array.make (q + 16) query);
+        t.queries.(q) <- query;
+        t.query_count <- q + 1
+      end;
       Keys.add t.query_numbers key q;
       q
 
@@ -100,14 +129,20 @@ let fields_of (layout : layout) =
     (List.concat (List.mapi (fun word group -> List.rev (snd (List.fold_left (field word) (0, []) group))) layout.groups))
 
 (* `any`: steps with any event may be followed. *)
-let prepare (process : system) sizes (layout : layout) ~any =
+let prepare (process : system) sizes (layout : layout) event_count ~any =
   let edges = Array.of_list (List.mapi (fun k size -> Array.init size (process.edges k)) sizes) in
   let count = Array.length edges in
   let process = { process with edges = (fun k v -> if k < count && v < Array.length edges.(k) then edges.(k).(v) else []) } in
   let rules = Array.of_list (rules_of_whole process) in
-  let events_of row = Array.of_list (List.sort_uniq Int.compare (List.map fst row)) in
+  let events_of row = List.sort_uniq Int.compare (List.map fst row) in
+  let able rows =
+    let possible = Bytes.make (Array.length rows * event_count) 'n' in
+    Array.iteri (fun v row -> List.iter (fun (e, _) -> Bytes.set possible ((v * event_count) + e) 'y') row) rows;
+    possible
+  in
+  let performs w = List.filter_map (function Performs (k, e) -> Some (k, e) | Sets _ -> None) w.items in
   let slots_of_rule w = List.sort_uniq Int.compare (List.map item_slot w.items) in
-  let new_tables () = Array.init count (fun _ -> Hashtbl.create 16) in
+  let new_tables () = Array.init count (fun _ -> Array.make event_count []) in
   let asking = new_tables () and leading = new_tables () in
   let setting = Array.make count [] and guarding = Array.make count [] in
   let share = Array.map (fun rows ->
@@ -116,15 +151,16 @@ let prepare (process : system) sizes (layout : layout) ~any =
                      (List.sort_uniq Int.compare (List.map fst row))) rows;
       fun e -> float_of_int (Option.value ~default:0 (Hashtbl.find_opt counts e)) /. float_of_int (max 1 (Array.length rows))) edges in
   let t =
-    { process; edges; events = Array.map (Array.map events_of) edges; overruled = Array.make (Array.length rules) Bytes.empty; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
+    { process; edges; events = Array.map (Array.map events_of) edges; event_count; able = Array.map able edges; performs = Array.map performs rules; overruled = Array.make (Array.length rules) Bytes.empty; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
+      leaders = Array.map (fun rows -> Array.make (Array.length rows) None) edges;
       first = Array.make (Array.length rules) (-1); queries = [||]; query_count = 0; query_numbers = Keys.create 1000;
-      answers = Keys.create 1000; entry_numbers = Keys.create 1000; entries = [||]; entry_count = 0; learning = true;
-      stamps = Array.make (Array.length rules) 0; stamp = 0; known = Keys.create 1000; fields = fields_of layout; led = 0 }
+      entry_numbers = Keys.create 1000; entries = [||]; entry_count = 0; learning = true;
+      stamps = Array.make (Array.length rules) 0; stamp = 0; known = Keys.create 1000; words = List.length layout.groups; fields = fields_of layout; led = 0 }
   in
   for n = Array.length rules - 1 downto 0 do
     let w = rules.(n) in
     List.iter
-      (function Performs (k, e) -> if not (List.mem n (listed asking.(k) e)) then add_to asking.(k) e n
+      (function Performs (k, e) -> if not (List.mem n asking.(k).(e)) then asking.(k).(e) <- n :: asking.(k).(e)
         | Sets (k, _) -> if k < count then setting.(k) <- n :: setting.(k))
       w.items;
     let around = List.sort_uniq Int.compare (List.concat_map (fun g -> if g.prior then g.around else []) w.passages) in
@@ -140,13 +176,13 @@ let prepare (process : system) sizes (layout : layout) ~any =
       match List.fold_left rarer None w.items with
       | Some (k, e) ->
           t.first.(n) <- query_of t n t.parts.(n);
-          add_to leading.(k) e n
+          if t.first.(n) >= 0 then leading.(k).(e) <- n :: leading.(k).(e)
       | None -> ()
     end
   done;
   t
 
-let cube_of slots values = List.combine slots values
+let cube_of slots values = List.combine (Array.to_list slots) values
 
 let entry_key rule cube = List.fold_left (fun key (k, v) -> k :: v :: key) [ rule ] cube
 
@@ -164,9 +200,7 @@ let add_entry t rule cube =
 
 exception Disturbed of int option
 
-let can t k v e =
-  let events = t.events.(k).(v) in
-  Search.place_of Fun.id events e < Array.length events
+let[@inline] can t k v e = v < Array.length t.edges.(k) && Bytes.get t.able.(k) ((v * t.event_count) + e) = 'y'
 
 (* Returns whether the followed rule prevents the other rule by a priority. *)
 let is_overruled t rule n =
@@ -197,11 +231,11 @@ let examine t rule slots values =
         else raise (Disturbed (Some n))
     end
   in
-  List.iter2
-    (fun k v ->
-      Array.iter (fun e -> List.iter consider (listed t.asking.(k) e)) t.events.(k).(v);
+  List.iter
+    (fun (k, v) ->
+      List.iter (fun e -> List.iter consider t.asking.(k).(e)) t.events.(k).(v);
       List.iter consider t.setting.(k))
-    slots values;
+    cube;
   List.iter (fun k -> List.iter consider t.guarding.(k)) t.parts.(rule);
   List.rev !found
 
@@ -209,12 +243,15 @@ let examine t rule slots values =
 let larger t query rules =
   let most = List.length t.parts.(query.rule) + most_beside in
   let extend n =
-    let performers = List.filter_map (function Performs (k, _) -> Some k | Sets _ -> None) t.rules.(n).items in
-    let slots = List.sort_uniq Int.compare (performers @ query.slots) in
+    let slots = List.sort_uniq Int.compare (List.map fst t.performs.(n) @ Array.to_list query.slots) in
     let count = List.length slots in
-    if count > List.length query.slots && count <= most then Some slots else None
+    if count > Array.length query.slots && count <= most then Some (query_of t query.rule slots) else None
   in
-  match List.find_map extend rules with Some slots -> Larger (query_of t query.rule slots) | None -> No
+  match List.find_map extend rules with Some q when q >= 0 -> Larger q | _ -> No
+
+let joint_state query values =
+  let rec sum i key = function [] -> key | v :: rest -> sum (i + 1) (key + (query.weights.(i) * v)) rest in
+  sum 0 0 values
 
 (* Collects the joint states that other rules can reach before the rule fires. *)
 let prove t q values =
@@ -233,11 +270,11 @@ let prove t q values =
     | None ->
         let enter values =
           let j = add_entry t query.rule (cube_of query.slots values) in
-          Keys.replace t.answers (q :: values) (Entry j)
+          Numbers.replace query.answers (joint_state query values) (Entry j)
         in
         List.iter enter (List.rev !proved);
         query.proved <- query.proved + 1;
-        Keys.find t.answers (q :: values)
+        Numbers.find query.answers (joint_state query values)
     | Some (here, path) ->
         query.looked <- query.looked + 1;
         if Keys.length seen > most_together then No
@@ -255,37 +292,39 @@ let prove t q values =
 
 let rec answer t (locals : int array) q =
   let query = t.queries.(q) in
-  let values = List.map (fun k -> locals.(k)) query.slots in
-  let key = q :: values in
-  match Keys.find_opt t.answers key with
+  let key = ref 0 in
+  for i = 0 to Array.length query.slots - 1 do
+    key := !key + (query.weights.(i) * locals.(query.slots.(i)))
+  done;
+  match Numbers.find_opt query.answers !key with
   | Some (Entry j) -> Some j
   | Some No -> None
   | Some (Larger q) -> answer t locals q
   | None ->
       if (not t.learning) || (query.proved = 0 && query.looked > most_in_vain) then None
       else begin
-        let found = prove t q values in
-        Keys.replace t.answers key found;
+        let found = prove t q (Array.to_list (Array.map (fun k -> locals.(k)) query.slots)) in
+        Numbers.replace query.answers !key found;
         match found with Entry j -> Some j | No -> None | Larger q -> answer t locals q
       end
 
+(* Returns the rules whose steps may be followed, and that require an event of this component in this state. *)
+let leaders_at t k v =
+  match t.leaders.(k).(v) with
+  | Some rules -> rules
+  | None ->
+      let rules = List.concat_map (fun e -> t.leading.(k).(e)) t.events.(k).(v) in
+      t.leaders.(k).(v) <- Some rules;
+      rules
+
 (* Returns the entry of the first step that may be followed. *)
-let first_entry t locals =
-  let count = Array.length locals in
+let first_entry t (locals : int array) =
+  let rec enabled = function [] -> true | (k, e) :: rest -> can t k locals.(k) e && enabled rest in
+  let followed n = if enabled t.performs.(n) then answer t locals t.first.(n) else None in
   let rec at_slot k =
-    if k = count then None
-    else
-      let rec at_event = function
-        | [] -> at_slot (k + 1)
-        | e :: rest -> (
-            match List.find_map (fun n -> answer t locals t.first.(n)) (listed t.leading.(k) e) with
-            | Some j -> Some j
-            | None -> at_event rest)
-      in
-      let v = locals.(k) in
-      if v >= Array.length t.edges.(k) then at_slot (k + 1)
-      else if Hashtbl.length t.leading.(k) = 0 then at_slot (k + 1)
-      else at_event (Array.to_list t.events.(k).(v))
+    if k = Array.length locals then None
+    else if locals.(k) >= Array.length t.edges.(k) then at_slot (k + 1)
+    else match List.find_map followed (leaders_at t k locals.(k)) with None -> at_slot (k + 1) | found -> found
   in
   at_slot 0
 
@@ -303,48 +342,63 @@ let unpack t words =
   let words = Array.of_list words in
   Array.map (fun (word, shift, bits) -> (words.(word) lsr shift) land ((1 lsl bits) - 1)) t.fields
 
+let pack t locals =
+  let result = Array.make t.words 0 in
+  Array.iteri (fun k (word, shift, _) -> result.(word) <- result.(word) lor (locals.(k) lsl shift)) t.fields;
+  Array.to_list result
+
 let longest_sequence = 1_000
+let most_known = 500_000
+
+let remember t words path =
+  if Keys.length t.known >= most_known then Keys.reset t.known;
+  Keys.replace t.known words path
+
+(* Returns the entries from the first of these states to the least state, in the order of the steps. *)
+let path_into_cycle states entries cycle =
+  let least = List.fold_left min (List.hd cycle) cycle in
+  let rec until states entries =
+    match (states, entries) with
+    | s :: _, _ when s = least -> []
+    | _ :: states, j :: entries -> j :: until states entries
+    | _ -> []
+  in
+  until states entries
 
 (* Returns the entries that lead from a state to its representative. If the followed steps form a cycle, this is the least
-   state of the cycle. *)
-let path_from t locals =
-  let rec go locals path before =
-    if List.length path >= longest_sequence then List.rev path
-    else
-      match first_entry t locals with
-      | None -> List.rev path
+   state of the cycle. `before` and `entries`: the states before this state, and the entries that lead from each of them to
+   the next, the last ones first. *)
+let rec path_from t locals before entries length =
+  let words = pack t locals in
+  let finish path =
+    (* The path of each state before is one entry longer. *)
+    let note path (words, j) = let path = j :: path in remember t words path; path in
+    List.fold_left note path (List.combine (List.map (pack t) before) entries)
+  in
+  match Keys.find_opt t.known words with
+  | Some path -> finish path
+  | None -> (
+      match if length >= longest_sequence then None else first_entry t locals with
+      | None ->
+          remember t words [];
+          finish []
       | Some j ->
           let next = perform t locals j in
-          let before = locals :: before in
+          let before = locals :: before and entries = j :: entries in
           let rec cycle = function
             | [] -> None
             | s :: rest -> if s = next then Some [ s ] else Option.map (fun c -> s :: c) (cycle rest)
           in
-          (match cycle before with
-          | None -> go next (j :: path) before
+          match cycle before with
+          | None -> path_from t next before entries (length + 1)
           | Some states ->
-              let least = List.fold_left min (List.hd states) states in
-              let steps = List.rev path and seen = List.rev before in
-              let rec until seen steps =
-                match (seen, steps) with
-                | s :: _, _ when s = least -> []
-                | _ :: seen, j :: steps -> j :: until seen steps
-                | _ -> []
-              in
-              until seen steps)
-  in
-  go locals [] []
-
-let most_known = 2_000_000
+              let states_in_order = List.rev before and entries_in_order = List.rev entries in
+              let path = path_into_cycle states_in_order entries_in_order states in
+              remember t (pack t (List.hd states_in_order)) path;
+              path)
 
 let hint t words =
-  match Keys.find_opt t.known words with
-  | Some path -> path
-  | None ->
-      let path = path_from t (unpack t words) in
-      if Keys.length t.known >= most_known then Keys.reset t.known;
-      Keys.add t.known words path;
-      path
+  match Keys.find_opt t.known words with Some path -> path | None -> path_from t (unpack t words) [] [] 0
 
 let reduction t : reduction =
   let count = t.entry_count in
@@ -354,11 +408,6 @@ let reduction t : reduction =
     entry_after =
       (fun j cube -> Option.value ~default:count (Keys.find_opt t.entry_numbers (entry_key (fst t.entries.(j)) cube)));
     hint = hint t }
-
-let pack t words locals =
-  let result = Array.make (List.length words) 0 in
-  Array.iteri (fun k (word, shift, _) -> result.(word) <- result.(word) lor (locals.(k) lsl shift)) t.fields;
-  Array.to_list result
 
 (* Explores the reduced system depth first, and learns which steps may be followed. Returns false if this does not make
    the system noticeably smaller. *)
@@ -375,7 +424,7 @@ let learn t (lts : Search.words lts) ~most =
       if path = [] then words
       else begin
         t.led <- t.led + 1;
-        pack t words (List.fold_left (perform t) (unpack t words) path)
+        pack t (List.fold_left (perform t) (unpack t words) path)
       end
     in
     let before = store.Search.filled in
@@ -397,10 +446,10 @@ let learn t (lts : Search.words lts) ~most =
   useful
 
 (* Returns a reduction of the process, if there is one that helps. *)
-let reduction_of (process : system) sizes layout (lts : Search.words lts) ~any ~most =
+let reduction_of (process : system) sizes (layout : layout) (lts : Search.words lts) ~any ~most =
   if count_rules process > most_rules then None
   else
-    let t = prepare process sizes layout ~any in
+    let t = prepare process sizes layout layout.event_count ~any in
     if Array.for_all (fun q -> q < 0) t.first then None
     else if learn t lts ~most then Some (reduction t)
     else None
