@@ -48,6 +48,7 @@ let most_joint = 1 lsl 60
 
 type t = {
   process : system;
+  row : int -> int -> int -> (int * int) list;  (** by component, event and state: the transitions *)
   edges : (int * int) list array array;  (** by component and state *)
   events : int list array array;  (** by component and state: the events that it can perform, ascending *)
   event_count : int;
@@ -151,7 +152,7 @@ let prepare (process : system) sizes (layout : layout) event_count ~any =
                      (List.sort_uniq Int.compare (List.map fst row))) rows;
       fun e -> float_of_int (Option.value ~default:0 (Hashtbl.find_opt counts e)) /. float_of_int (max 1 (Array.length rows))) edges in
   let t =
-    { process; edges; events = Array.map (Array.map events_of) edges; event_count; able = Array.map able edges; performs = Array.map performs rules; overruled = Array.make (Array.length rules) Bytes.empty; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
+    { process; row = rows_by_event layout process; edges; events = Array.map (Array.map events_of) edges; event_count; able = Array.map able edges; performs = Array.map performs rules; overruled = Array.make (Array.length rules) Bytes.empty; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
       leaders = Array.map (fun rows -> Array.make (Array.length rows) None) edges;
       first = Array.make (Array.length rules) (-1); queries = [||]; query_count = 0; query_numbers = Keys.create 1000;
       entry_numbers = Keys.create 1000; entries = [||]; entry_count = 0; learning = true;
@@ -207,14 +208,14 @@ let is_overruled t rule n =
   if Bytes.length t.overruled.(rule) = 0 then t.overruled.(rule) <- Bytes.make (Array.length t.rules) '?';
   let known = t.overruled.(rule) in
   if Bytes.get known n = '?' then
-    Bytes.set known n (if cannot_fire t.process t.rules.(rule) [] t.rules.(n) then 'y' else 'n');
+    Bytes.set known n (if cannot_fire t.row t.rules.(rule) [] t.rules.(n) then 'y' else 'n');
   Bytes.get known n = 'y'
 
 (* Examines the other rules in one joint state. Returns the joint states to which they lead, each with the rule. Raises
    `Disturbed` with the first rule for which a condition fails. *)
 let examine t rule slots values =
   let r = t.rules.(rule) and cube = cube_of slots values in
-  if not (List.for_all (sure t.process cube) r.items) then raise (Disturbed None);
+  if not (List.for_all (sure t.process t.row cube) r.items) then raise (Disturbed None);
   t.stamp <- t.stamp + 1;
   let found = ref [] in
   let impossible = function
@@ -226,8 +227,8 @@ let examine t rule slots values =
       t.stamps.(n) <- t.stamp;
       let w = t.rules.(n) in
       if not (n = rule || List.exists impossible w.items || is_overruled t rule n || (w.performed = r.performed && same_items w.items r.items)) then
-        if List.for_all (commutes t.process r.items cube) w.items && List.for_all (undisturbed t.process r.items cube) w.passages
-        then List.iter (fun o -> found := (n, List.map snd o) :: !found) (outcomes t.process cube w.items cube)
+        if List.for_all (commutes t.row r.items cube) w.items && List.for_all (undisturbed t.row r.items cube) w.passages
+        then List.iter (fun o -> found := (n, List.map snd o) :: !found) (outcomes t.row cube w.items cube)
         else raise (Disturbed (Some n))
     end
   in
@@ -333,7 +334,7 @@ let perform t locals j =
   let result = Array.copy locals in
   List.iter
     (function
-      | Performs (k, e) -> result.(k) <- goal t.process k e (Option.get (local_in cube k))
+      | Performs (k, e) -> result.(k) <- goal t.row k e (Option.get (local_in cube k))
       | Sets (k, x) -> result.(k) <- x)
     t.rules.(rule).items;
   result

@@ -1776,77 +1776,93 @@ let element l = match l with
 let rules_of_whole y =
   whole_rules y.whole []
 
-(** val goal : system -> int -> ev -> Uint63.t -> Uint63.t **)
+(** val goal :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> Uint63.t **)
 
-let goal y k e v =
-  match find (fun x -> eqb (fst x) e) (y.edges k v) with
+let goal row_of k e v =
+  match find (fun x -> eqb (fst x) e) (row_of k e v) with
   | Some x -> snd x
   | None -> v
 
-(** val has_event : system -> int -> ev -> Uint63.t -> bool **)
+(** val has_event :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> bool **)
 
-let has_event y k e v =
-  existsb (fun x -> eqb (fst x) e) (y.edges k v)
+let has_event row_of k e v =
+  existsb (fun x -> eqb (fst x) e) (row_of k e v)
 
-(** val determined : system -> int -> ev -> Uint63.t -> bool **)
+(** val determined :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> bool **)
 
-let determined y k e v =
-  if has_event y k e v
-  then let g = goal y k e v in
+let determined row_of k e v =
+  if has_event row_of k e v
+  then let g = goal row_of k e v in
        forallb (fun x -> if eqb (fst x) e then eqb (snd x) g else true)
-         (y.edges k v)
+         (row_of k e v)
   else false
 
-(** val has_target : system -> int -> ev -> Uint63.t -> Uint63.t -> bool **)
+(** val has_target :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> Uint63.t -> bool **)
 
-let has_target y k e v x =
-  existsb (fun y0 -> if eqb (fst y0) e then eqb (snd y0) x else false)
-    (y.edges k v)
+let has_target row_of k e v x =
+  existsb (fun y -> if eqb (fst y) e then eqb (snd y) x else false)
+    (row_of k e v)
 
 (** val does_item :
-    system -> int -> Uint63.t -> item -> Uint63.t -> Uint63.t **)
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> Uint63.t ->
+    item -> Uint63.t -> Uint63.t **)
 
-let does_item y k v it x =
+let does_item row_of k v it x =
   match it with
-  | Performs (j, e) -> if (=) j k then goal y k e v else x
-  | Sets (j, y0) -> if (=) j k then y0 else x
+  | Performs (j, e) -> if (=) j k then goal row_of k e v else x
+  | Sets (j, y) -> if (=) j k then y else x
 
-(** val effect : system -> item list -> int -> Uint63.t -> Uint63.t **)
+(** val effect :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> int ->
+    Uint63.t -> Uint63.t **)
 
-let effect y its k v =
-  fold_left (fun x it -> does_item y k v it x) its v
+let effect row_of its k v =
+  fold_left (fun x it -> does_item row_of k v it x) its v
 
 (** val touches : item list -> int -> bool **)
 
 let touches its k =
   existsb (fun it -> (=) (item_slot it) k) its
 
-(** val change_of : system -> (int -> Uint63.t) -> item -> change **)
+(** val change_of :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> (int -> Uint63.t) ->
+    item -> change **)
 
-let change_of y local = function
-| Performs (k, e) -> (k, (goal y k e (local k)))
+let change_of row_of local = function
+| Performs (k, e) -> (k, (goal row_of k e (local k)))
 | Sets (k, x) -> (k, x)
 
-(** val sure : system -> cube -> item -> bool **)
+(** val sure :
+    system -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item
+    -> bool **)
 
-let sure y =
+let sure y row_of =
   let n = length y.start in
   (fun c it ->
   if Nat.ltb (item_slot it) n
   then (match it with
         | Performs (k, e) ->
           (match local_in c k with
-           | Some v -> determined y k e v
+           | Some v -> determined row_of k e v
            | None -> false)
         | Sets (_, _) -> true)
   else false)
 
-(** val impossible : system -> cube -> item -> bool **)
+(** val impossible :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item -> bool **)
 
-let impossible y c = function
+let impossible row_of c = function
 | Performs (k, e) ->
   (match local_in c k with
-   | Some v -> negb (has_event y k e v)
+   | Some v -> negb (has_event row_of k e v)
    | None -> false)
 | Sets (_, _) -> false
 
@@ -1860,10 +1876,12 @@ let overrules g h =
      | None -> false)
   | None -> false
 
-(** val cannot_fire : system -> whole_rule -> cube -> whole_rule -> bool **)
+(** val cannot_fire :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule -> cube ->
+    whole_rule -> bool **)
 
-let cannot_fire y r c w =
-  if existsb (impossible y c) w.items
+let cannot_fire row_of r c w =
+  if existsb (impossible row_of c) w.items
   then true
   else existsb (fun h -> existsb (fun g -> overrules g h) r.passages)
          w.passages
@@ -1873,9 +1891,11 @@ let cannot_fire y r c w =
 let own_items its k =
   filter (fun it -> (=) (item_slot it) k) its
 
-(** val commutes : system -> item list -> cube -> item -> bool **)
+(** val commutes :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+    item -> bool **)
 
-let commutes y r c it =
+let commutes row_of r c it =
   let k = item_slot it in
   (match own_items r k with
    | [] -> true
@@ -1888,35 +1908,41 @@ let commutes y r c it =
             | Performs (_, d) ->
               (match local_in c k with
                | Some v ->
-                 let u = goal y k e v in
+                 let u = goal row_of k e v in
                  forallb (fun x ->
                    if eqb (fst x) d
-                   then has_target y k d u (goal y k e (snd x))
-                   else true) (y.edges k v)
+                   then has_target row_of k d u (goal row_of k e (snd x))
+                   else true) (row_of k d v)
                | None -> false)
             | Sets (_, _) -> false)
          | _ :: _ -> false)
       | Sets (_, _) -> false))
 
-(** val leaves : system -> item list -> cube -> int -> bool **)
+(** val leaves :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+    int -> bool **)
 
-let leaves y r c k =
+let leaves row_of r c k =
   match local_in c k with
-  | Some v -> eqb (effect y r k v) v
+  | Some v -> eqb (effect row_of r k v) v
   | None -> false
 
-(** val undisturbed : system -> item list -> cube -> passage -> bool **)
+(** val undisturbed :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+    passage -> bool **)
 
-let undisturbed y r c g =
+let undisturbed row_of r c g =
   if g.prior
   then forallb (fun it ->
          let k = item_slot it in
-         if existsb ((=) k) g.around then leaves y r c k else true) r
+         if existsb ((=) k) g.around then leaves row_of r c k else true) r
   else true
 
-(** val outcomes : system -> cube -> item list -> cube -> cube list **)
+(** val outcomes :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item list ->
+    cube -> cube list **)
 
-let rec outcomes y c its d =
+let rec outcomes row_of c its d =
   match its with
   | [] -> d :: []
   | i :: rest ->
@@ -1926,10 +1952,10 @@ let rec outcomes y c its d =
         | Some v ->
           flat_map (fun x ->
             if eqb (fst x) e
-            then outcomes y c rest (put_in d k (snd x))
-            else []) (y.edges k v)
-        | None -> outcomes y c rest d)
-     | Sets (k, x) -> outcomes y c rest (put_in d k x))
+            then outcomes row_of c rest (put_in d k (snd x))
+            else []) (row_of k e v)
+        | None -> outcomes row_of c rest d)
+     | Sets (k, x) -> outcomes row_of c rest (put_in d k x))
 
 (** val implies_cube : cube -> cube -> bool **)
 
@@ -1950,19 +1976,19 @@ let continues c j c0 =
   else false
 
 (** val spared :
-    system -> reduction -> Uint63.t -> whole_rule -> cube -> whole_rule ->
-    bool **)
+    reduction -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> Uint63.t
+    -> whole_rule -> cube -> whole_rule -> bool **)
 
-let spared y c j r c0 w =
-  if cannot_fire y r c0 w
+let spared c row_of j r c0 w =
+  if cannot_fire row_of r c0 w
   then true
   else if if eqb w.performed r.performed
           then same_items w.items r.items
           else false
        then true
-       else if forallb (commutes y r.items c0) w.items
-            then if forallb (undisturbed y r.items c0) w.passages
-                 then forallb (continues c j) (outcomes y c0 w.items c0)
+       else if forallb (commutes row_of r.items c0) w.items
+            then if forallb (undisturbed row_of r.items c0) w.passages
+                 then forallb (continues c j) (outcomes row_of c0 w.items c0)
                  else false
             else false
 
@@ -1990,10 +2016,11 @@ let by_slot y =
             | None -> f k))
 
 (** val entry_ok :
-    system -> reduction -> bool -> (Uint63.t -> whole_rule option) -> (int ->
-    whole_rule list) -> (int -> whole_rule list) -> Uint63.t -> bool **)
+    system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+    list) -> (Uint63.t -> whole_rule option) -> (int -> whole_rule list) ->
+    (int -> whole_rule list) -> Uint63.t -> bool **)
 
-let entry_ok y c any =
+let entry_ok y c any row_of =
   let n = length y.start in
   (fun rule_at near around_of j ->
   match rule_at (c.follows j) with
@@ -2001,14 +2028,15 @@ let entry_ok y c any =
     let c0 = c.states_of j in
     if if any then true else eqb r.performed tau
     then if forallb (fun g -> negb g.prior) r.passages
-         then if forallb (sure y c0) r.items
+         then if forallb (sure y row_of c0) r.items
               then if forallb (fun kv ->
                         if Nat.ltb (fst kv) n
-                        then forallb (spared y c j r c0) (near (fst kv))
+                        then forallb (spared c row_of j r c0) (near (fst kv))
                         else false) c0
                    then forallb (fun it ->
-                          if forallb (spared y c j r c0) (near (item_slot it))
-                          then forallb (spared y c j r c0)
+                          if forallb (spared c row_of j r c0)
+                               (near (item_slot it))
+                          then forallb (spared c row_of j r c0)
                                  (around_of (item_slot it))
                           else false) r.items
                    else false
@@ -2017,26 +2045,42 @@ let entry_ok y c any =
     else false
   | None -> false)
 
-(** val confluent_ok : system -> reduction -> bool -> bool **)
+(** val confluent_ok :
+    system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+    list) -> bool **)
 
-let confluent_ok y c any =
+let confluent_ok y c any row_of =
   let rules = rules_of_whole y in
   let rule_at = element rules in
   let near = by_slot y (touching rules) in
   let around_of = by_slot y (guarding rules) in
-  all_below (entry_ok y c any rule_at near around_of) c.entries
+  all_below (entry_ok y c any row_of rule_at near around_of) c.entries
 
-(** val tabled : layout -> system -> system **)
+(** val last_bits : ev -> Uint63.t **)
 
-let tabled l y =
-  let rows =
-    map (fun k -> table (size_of l k) (y.edges k))
-      (seq 0 (length (concat l.groups)))
+let last_bits e =
+  land0 e (Uint63.of_int (15))
+
+(** val rows_by_event :
+    layout -> system -> int -> ev -> Uint63.t -> (ev * Uint63.t) list **)
+
+let rows_by_event l y =
+  let tables =
+    map (fun k ->
+      table (size_of l k) (fun v ->
+        let l0 = y.edges k v in
+        if Z.ltb (Z.of_nat (length l0)) (Zpos (XO (XO (XO XH))))
+        then (fun _ -> l0)
+        else let t =
+               table (Uint63.of_int (16)) (fun b ->
+                 filter (fun x -> eqb (last_bits (fst x)) b) l0)
+             in
+             (fun e -> t (last_bits e)))) (seq 0 (length (concat l.groups)))
   in
-  { edges = (fun k v ->
-  match nth_error rows k with
-  | Some f -> f v
-  | None -> y.edges k v); start = y.start; whole = y.whole }
+  (fun k e v ->
+  match nth_error tables k with
+  | Some f -> f v e
+  | None -> y.edges k v)
 
 (** val cube_state : cube -> int -> Uint63.t **)
 
@@ -2052,7 +2096,8 @@ let tests_of l c =
   map (fun kv -> ((read_local l (fst kv)), (snd kv))) c
 
 (** val writes_of :
-    layout -> system -> whole_rule option -> cube -> (field * Uint63.t) list **)
+    layout -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule
+    option -> cube -> (field * Uint63.t) list **)
 
 let writes_of l t r c =
   match r with
@@ -2070,11 +2115,11 @@ let passes tests x =
     layout -> system -> reduction -> Uint63.t list -> Uint63.t list **)
 
 let lead_on l y c =
-  let z0 = tabled l y in
-  let rule_at = element (rules_of_whole z0) in
+  let t = rows_by_event l y in
+  let rule_at = element (rules_of_whole y) in
   let rows =
     table c.entries (fun j -> ((tests_of l (c.states_of j)),
-      (writes_of l z0 (rule_at (c.follows j)) (c.states_of j))))
+      (writes_of l t (rule_at (c.follows j)) (c.states_of j))))
   in
   (fun x ->
   fold_left (fun x0 j ->
@@ -2127,7 +2172,9 @@ let searched any h r y =
 
 let reduction_ok any h r y =
   match r with
-  | Some r0 -> confluent_ok (tabled h.packs (merged h.merges y)) r0 any
+  | Some r0 ->
+    let z0 = merged h.merges y in
+    confluent_ok z0 r0 any (rows_by_event h.packs z0)
   | None -> true
 
 (** val certify_refinement :

@@ -595,46 +595,74 @@ val element : 'a1 list -> Uint63.t -> 'a1 option
 
 val rules_of_whole : system -> whole_rule list
 
-val goal : system -> int -> ev -> Uint63.t -> Uint63.t
+val goal :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  Uint63.t
 
-val has_event : system -> int -> ev -> Uint63.t -> bool
+val has_event :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  bool
 
-val determined : system -> int -> ev -> Uint63.t -> bool
+val determined :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  bool
 
-val has_target : system -> int -> ev -> Uint63.t -> Uint63.t -> bool
+val has_target :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  Uint63.t -> bool
 
-val does_item : system -> int -> Uint63.t -> item -> Uint63.t -> Uint63.t
+val does_item :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> Uint63.t -> item
+  -> Uint63.t -> Uint63.t
 
-val effect : system -> item list -> int -> Uint63.t -> Uint63.t
+val effect :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> int ->
+  Uint63.t -> Uint63.t
 
 val touches : item list -> int -> bool
 
-val change_of : system -> (int -> Uint63.t) -> item -> change
+val change_of :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> (int -> Uint63.t) ->
+  item -> change
 
-val sure : system -> cube -> item -> bool
+val sure :
+  system -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item
+  -> bool
 
-val impossible : system -> cube -> item -> bool
+val impossible :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item -> bool
 
 val overrules : passage -> passage -> bool
 
-val cannot_fire : system -> whole_rule -> cube -> whole_rule -> bool
+val cannot_fire :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule -> cube ->
+  whole_rule -> bool
 
 val own_items : item list -> int -> item list
 
-val commutes : system -> item list -> cube -> item -> bool
+val commutes :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+  item -> bool
 
-val leaves : system -> item list -> cube -> int -> bool
+val leaves :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube -> int
+  -> bool
 
-val undisturbed : system -> item list -> cube -> passage -> bool
+val undisturbed :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+  passage -> bool
 
-val outcomes : system -> cube -> item list -> cube -> cube list
+val outcomes :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item list ->
+  cube -> cube list
 
 val implies_cube : cube -> cube -> bool
 
 val continues : reduction -> Uint63.t -> cube -> bool
 
 val spared :
-  system -> reduction -> Uint63.t -> whole_rule -> cube -> whole_rule -> bool
+  reduction -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> Uint63.t ->
+  whole_rule -> cube -> whole_rule -> bool
 
 val touching : whole_rule list -> int -> whole_rule list
 
@@ -643,19 +671,26 @@ val guarding : whole_rule list -> int -> whole_rule list
 val by_slot : system -> (int -> whole_rule list) -> int -> whole_rule list
 
 val entry_ok :
-  system -> reduction -> bool -> (Uint63.t -> whole_rule option) -> (int ->
-  whole_rule list) -> (int -> whole_rule list) -> Uint63.t -> bool
+  system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+  list) -> (Uint63.t -> whole_rule option) -> (int -> whole_rule list) ->
+  (int -> whole_rule list) -> Uint63.t -> bool
 
-val confluent_ok : system -> reduction -> bool -> bool
+val confluent_ok :
+  system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+  list) -> bool
 
-val tabled : layout -> system -> system
+val last_bits : ev -> Uint63.t
+
+val rows_by_event :
+  layout -> system -> int -> ev -> Uint63.t -> (ev * Uint63.t) list
 
 val cube_state : cube -> int -> Uint63.t
 
 val tests_of : layout -> cube -> ((Uint63.t list -> Uint63.t) * Uint63.t) list
 
 val writes_of :
-  layout -> system -> whole_rule option -> cube -> (field * Uint63.t) list
+  layout -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule
+  option -> cube -> (field * Uint63.t) list
 
 val passes :
   ((Uint63.t list -> Uint63.t) * Uint63.t) list -> Uint63.t list -> bool

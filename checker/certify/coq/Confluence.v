@@ -101,19 +101,22 @@ Section Confluence.
   Variable Y : system.
   Variable C : reduction.
   Variable any : bool.  (* every event is taken for a tau *)
+  (* The transitions of a component in a state, by event. The list may also contain transitions with other events. *)
+  Variable row_of : nat -> ev -> int -> list (ev * int).
+  Hypothesis row_of_ok : forall k e v x, In (e, x) (row_of k e v) <-> In (e, x) (edges Y k v).
   Let n := List.length (start Y).
   Definition rules_of_whole : list whole_rule := whole_rules (whole Y) [].
 
   (* The state to which the event e leads component k from state v. *)
   Definition goal (k : nat) (e : ev) (v : int) : int :=
-    match find (fun x : ev * int => fst x =? e) (edges Y k v) with Some x => snd x | None => v end.
-  Definition has_event (k : nat) (e : ev) (v : int) : bool := existsb (fun x : ev * int => fst x =? e) (edges Y k v).
+    match find (fun x : ev * int => fst x =? e) (row_of k e v) with Some x => snd x | None => v end.
+  Definition has_event (k : nat) (e : ev) (v : int) : bool := existsb (fun x : ev * int => fst x =? e) (row_of k e v).
   Definition determined (k : nat) (e : ev) (v : int) : bool :=
     if has_event k e v then
-      let g := goal k e v in forallb (fun x : ev * int => if fst x =? e then snd x =? g else true) (edges Y k v)
+      let g := goal k e v in forallb (fun x : ev * int => if fst x =? e then snd x =? g else true) (row_of k e v)
     else false.
   Definition has_target (k : nat) (e : ev) (v x : int) : bool :=
-    existsb (fun y : ev * int => if fst y =? e then snd y =? x else false) (edges Y k v).
+    existsb (fun y : ev * int => if fst y =? e then snd y =? x else false) (row_of k e v).
 
   (* What the followed step changes. *)
   Definition does_item (k : nat) (v : int) (it : item) (x : int) : int :=
@@ -159,7 +162,7 @@ Section Confluence.
         match it, local_in c k with
         | Performs _ d, Some v =>
             let u := goal k e v in
-            forallb (fun x : ev * int => if fst x =? d then has_target k d u (goal k e (snd x)) else true) (edges Y k v)
+            forallb (fun x : ev * int => if fst x =? d then has_target k d u (goal k e (snd x)) else true) (row_of k d v)
         | _, _ => false
         end
     | _ => false
@@ -176,7 +179,7 @@ Section Confluence.
     | [] => [d]
     | Performs k e :: rest =>
         match local_in c k with
-        | Some v => flat_map (fun x : ev * int => if fst x =? e then outcomes c rest (put_in d k (snd x)) else []) (edges Y k v)
+        | Some v => flat_map (fun x : ev * int => if fst x =? e then outcomes c rest (put_in d k (snd x)) else []) (row_of k e v)
         | None => outcomes c rest d
         end
     | Sets k x :: rest => outcomes c rest (put_in d k x)
@@ -274,7 +277,7 @@ Section Confluence.
 
   Lemma goal_in : forall k e v, has_event k e v = true -> In (e, goal k e v) (edges Y k v).
   Proof.
-    intros k e v H. unfold has_event in H. unfold goal. apply existsb_exists in H. destruct H as (x & Hx & E).
+    intros k e v H. unfold has_event in H. unfold goal. apply row_of_ok. apply existsb_exists in H. destruct H as (x & Hx & E).
     destruct (find _ _) as [[d y] |] eqn:F.
     - apply find_some in F. destruct F as [F1 F2]. cbn in F2. apply eqb_true in F2. subst. exact F1.
     - exfalso. assert (K := find_none _ _ F x Hx). cbn beta in K. congruence.
@@ -282,7 +285,7 @@ Section Confluence.
   Lemma determined_unique : forall k e v x, determined k e v = true -> In (e, x) (edges Y k v) -> x = goal k e v.
   Proof.
     unfold determined. intros k e v x H K. destruct (has_event k e v); [| discriminate ]. rewrite forallb_forall in H.
-    specialize (H (e, x) K). cbn [fst snd] in H. rewrite eqb_refl in H. apply eqb_true. exact H.
+    apply row_of_ok in K. specialize (H (e, x) K). cbn [fst snd] in H. rewrite eqb_refl in H. apply eqb_true. exact H.
   Qed.
   Lemma sure_changes : forall s c its ch, in_cube s c -> forallb (sure c) its = true ->
     (Forall2 (takes Y s) its ch <-> ch = changes_at s its).
@@ -389,7 +392,7 @@ Section Confluence.
       destruct it as [k e | k z]; cbn [takes] in T.
       + destruct T as [E I]. cbn in E, I. subst j. cbn [outcomes final]. destruct (local_in c k) as [v |] eqn:L.
         * destruct (IH (put_in d k y) (PUT k y)) as (o & Ho & K). exists o. split.
-          { apply in_flat_map. exists (e, y). rewrite (G k v L) in I. split; [ exact I |]. cbn. rewrite eqb_refl. exact Ho. }
+          { apply in_flat_map. exists (e, y). rewrite (G k v L) in I. apply row_of_ok in I. split; [ exact I |]. cbn. rewrite eqb_refl. exact Ho. }
           intros i. rewrite K, put_in_local. destruct (local_in d i); [| reflexivity ]. rewrite (Nat.eqb_sym k i). reflexivity.
         * destruct (IH d D) as (o & Ho & K). exists o. split; [ exact Ho |]. intros i. rewrite K.
           destruct (Nat.eqb k i) eqn:E; [| reflexivity ]. apply Nat.eqb_eq in E. subst. rewrite (D i L). reflexivity.
@@ -447,7 +450,7 @@ Section Confluence.
       destruct T as ([i x] & T). destruct it as [k e | k y]; cbn in X; [| discriminate ].
       destruct (local_in (states_of C j) k) as [v |] eqn:L; [| discriminate ]. destruct T as [_ I]. cbn in I.
       rewrite (G k v L) in I. apply negb_true_iff in X. rewrite <- not_true_iff_false in X. apply X.
-      apply existsb_exists. exists (e, x). cbn. split; [ exact I | apply eqb_refl ].
+      apply existsb_exists. exists (e, x). cbn. split; [ apply row_of_ok; exact I | apply eqb_refl ].
     - apply existsb_exists in H. destruct H as (h & Hh & H). apply existsb_exists in H. destruct H as (g & Hg & H).
       pose proof (entry_enabled s j R G HE) as EN. destruct HE as (HR & _).
       pose proof (passages_passable Y s (whole Y) [] R HR _ EN) as PA.
@@ -505,10 +508,10 @@ Section Confluence.
       { apply (sure_bound _ _ _ HS). apply existsb_exists. exists (Performs k e). split.
         - assert (F : In (Performs k e) (own_items (items R) k)) by (rewrite O; left; reflexivity). apply filter_In in F. apply F.
         - cbn. apply Nat.eqb_refl. }
-      rewrite (NT k B), !EF, (G k v L). rewrite (G k v L) in I. rewrite forallb_forall in H. specialize (H (d, y) I).
+      rewrite (NT k B), !EF, (G k v L). rewrite (G k v L) in I. rewrite forallb_forall in H. apply row_of_ok in I. specialize (H (d, y) I).
       cbn [fst snd] in H. rewrite eqb_refl in H. unfold has_target in H. apply existsb_exists in H.
       destruct H as ([b z] & Hz & H). cbn in H. destruct (b =? d) eqn:Eb; [| discriminate ].
-      apply eqb_true in Eb, H. subst. exact Hz.
+      apply eqb_true in Eb, H. subst. apply row_of_ok. exact Hz.
   Qed.
   Lemma undisturbed_free : forall s j R g, List.length s = n -> in_cube s (states_of C j) ->
     well_placed (whole Y) [] g -> undisturbed (items R) (states_of C j) g = true -> free Y s g ->
@@ -543,7 +546,7 @@ Section Confluence.
     { intros H1 H2 (i & Hi & Ei & Gu). exists (apply u (changes_at u (items R))). split.
       - apply whole_step. exists w, (map (moved (items R)) ch). split; [ exact Hw | split; [ exact Ew |]].
         destruct En as [F1 F2]. cbn [fst snd] in F1, F2. split; [ split; cbn [fst snd] |].
-        + subst t. rewrite forallb_forall in H1. clear - F1 H1 HL G HS.
+        + subst t. rewrite forallb_forall in H1. clear - row_of_ok F1 H1 HL G HS.
           induction F1 as [| it x its ch T F IH]; cbn [map]; constructor.
           * apply (commutes_takes s j R it x HL G HS); [ apply H1; left; reflexivity | exact T ].
           * apply IH. intros y Hy. apply H1. right. exact Hy.
@@ -600,27 +603,25 @@ Section Confluence.
 End Confluence.
 
 (** Packed states. *)
-(* The same process, with a table of its transitions. *)
-Definition tabled (L : layout) (Y : system) : system :=
-  let rows := map (fun k => table (size_of L k) (edges Y k)) (seq 0 (List.length (concat (groups L)))) in
-  {| edges := fun k v => match nth_error rows k with Some f => f v | None => edges Y k v end; start := start Y; whole := whole Y |}.
-Lemma tabled_edges : forall L Y k v, edges (tabled L Y) k v = edges Y k v.
+(* Tables of the transitions of components: by component, by state, by the last bits of the event. *)
+Definition last_bits (e : ev) : int := e land 15.
+Definition rows_by_event (L : layout) (Y : system) : nat -> ev -> int -> list (ev * int) :=
+  let tables := map (fun k => table (size_of L k) (fun v =>
+    let l := edges Y k v in
+    if (Z.of_nat (List.length l) <? 8)%Z then fun _ => l
+    else let t := table 16 (fun b => filter (fun x : ev * int => last_bits (fst x) =? b) l) in fun e => t (last_bits e)))
+    (seq 0 (List.length (concat (groups L)))) in
+  fun k e v => match nth_error tables k with Some f => f v e | None => edges Y k v end.
+Lemma rows_by_event_ok : forall L Y k e v x, In (e, x) (rows_by_event L Y k e v) <-> In (e, x) (edges Y k v).
 Proof.
-  intros L Y k v. cbn [tabled edges]. cbn zeta. rewrite nth_error_map.
+  intros L Y k e v x. unfold rows_by_event. cbn zeta. rewrite nth_error_map.
   destruct (nth_error (seq 0 (List.length (concat (groups L)))) k) as [i |] eqn:E; [| reflexivity ].
   cbn [option_map]. rewrite table_spec. apply nth_error_nth with (d := 0%nat) in E as E'.
   assert (B : (k < List.length (concat (groups L)))%nat)
     by (rewrite <- (seq_length (List.length (concat (groups L))) 0); apply nth_error_Some; congruence).
-  rewrite seq_nth in E' by exact B. cbn in E'. subst. reflexivity.
-Qed.
-Lemma tabled_moves : forall L Y s r, moves (tabled L Y) s r = moves Y s r.
-Proof.
-  intros L Y s. induction r as [parts rules IH] using region_rect'. cbn [moves]. f_equal. apply map_ext_in.
-  intros p Hp. destruct p as [k | r']; [| exact (IH r' Hp) ]. unfold slot_moves. rewrite tabled_edges. reflexivity.
-Qed.
-Lemma tabled_step : forall L Y s a u, step (system_lts (tabled L Y)) s a u <-> step (system_lts Y) s a u.
-Proof.
-  intros. unfold step. cbn [system_lts succ]. change (whole (tabled L Y)) with (whole Y). rewrite tabled_moves. reflexivity.
+  rewrite seq_nth in E' by exact B. cbn in E'. subst i.
+  destruct (Z.of_nat (List.length (edges Y k v)) <? 8)%Z; [ reflexivity |]. rewrite table_spec, filter_In.
+  cbn [fst]. rewrite eqb_refl. intuition auto.
 Qed.
 
 Section Following.
@@ -630,19 +631,20 @@ Section Following.
   Variable any : bool.
   Let bits := concat (groups L).
   Let n := List.length (start Y).
-  Let Z := tabled L Y.
+  Let rows := rows_by_event L Y.
+  Let rows_ok := rows_by_event_ok L Y.
 
   Definition cube_state (c : cube) (k : nat) : int := match local_in c k with Some v => v | None => 0 end.
   Definition tests_of (c : cube) : list ((list int -> int) * int) := map (fun kv => (read_local L (fst kv), snd kv)) c.
-  Definition writes_of (T : system) (R : option whole_rule) (c : cube) : list (field * int) :=
+  Definition writes_of (T : nat -> ev -> int -> list (ev * int)) (R : option whole_rule) (c : cube) : list (field * int) :=
     match R with
     | Some R => set_all (field * int) (write_local L) (map (change_of T (cube_state c)) (items R))
     | None => []
     end.
   Definition passes (tests : list ((list int -> int) * int)) (x : list int) : bool := forallb (fun t => fst t x =? snd t) tests.
   Definition lead_on : list int -> list int :=
-    let T := Z in
-    let rule_at := element (rules_of_whole T) in
+    let T := rows_by_event L Y in
+    let rule_at := element (rules_of_whole Y) in
     let rows := table (entries C) (fun j => (tests_of (states_of C j), writes_of T (rule_at (follows C j)) (states_of C j))) in
     fun x => fold_left (fun x j =>
       if j <? entries C then
@@ -652,10 +654,10 @@ Section Following.
   Definition reduced : lts (list int) := let f := lead_on in led f unreduced.
 
   Hypothesis fine : system_ok L Y = true.
-  Hypothesis checked : confluent_ok Z C any = true.
+  Hypothesis checked : confluent_ok Y C any rows = true.
   Definition packs (s x : list int) : Prop := fits bits s = true /\ x = pack (groups L) s.
   Definition good (x : list int) : Prop := exists s, packs s x.
-  Definition goes (x y : list int) : Prop := exists s t, packs s x /\ packs t y /\ followed Z C s t.
+  Definition goes (x y : list int) : Prop := exists s t, packs s x /\ packs t y /\ followed Y C rows s t.
 
   Lemma fits_n : forall s, fits bits s = true -> List.length s = n.
   Proof.
@@ -669,11 +671,11 @@ Section Following.
     - rewrite hidden_step. split; [ intros (E & a & H) | intros (a & E & H) ]; eauto.
     - split; [ intros H; exists b; auto | intros (a & E & H); subst; exact H ].
   Qed.
-  Lemma packed_step : forall s x a y, packs s x -> (step (packed L Y) x a y <-> exists u, packs u y /\ step (system_lts Z) s a u).
+  Lemma packed_step : forall s x a y, packs s x -> (step (packed L Y) x a y <-> exists u, packs u y /\ step (system_lts Y) s a u).
   Proof.
     intros s x a y [F E]. subst x. destruct (packed_bisimulation L Y fine) as (_ & H2 & H3). rewrite (H3 s F a y). split.
-    - intros (u & E & St). exists u. split; [ split; [ exact (H2 s a u F St) | exact E ] | apply tabled_step; exact St ].
-    - intros (u & [_ E] & St). exists u. split; [ exact E | apply tabled_step in St; exact St ].
+    - intros (u & E & St). exists u. split; [ split; [ exact (H2 s a u F St) | exact E ] | exact St ].
+    - intros (u & [_ E] & St). eauto.
   Qed.
 
   Lemma good_start : good (init unreduced).
@@ -688,7 +690,7 @@ Section Following.
   Qed.
   Lemma goes_tau : forall x y, good x -> goes x y -> step unreduced x tau y.
   Proof.
-    intros x y _ (s & t & Gs & Gt & F). destruct (followed_step Z C any checked s t F) as (a & A & St).
+    intros x y _ (s & t & Gs & Gt & F). destruct (followed_step Y C any rows rows_ok checked s t F) as (a & A & St).
     apply unreduced_step. exists a. split.
     - destruct any; [ reflexivity |]. destruct A as [A | A]; [ discriminate | exact A ].
     - apply (packed_step s x a y Gs). eauto.
@@ -698,19 +700,19 @@ Section Following.
   Proof.
     intros x y b z _ (s & t & Gs & Gt & F) St. apply unreduced_step in St. destruct St as (a & A & St).
     apply (packed_step s x a z Gs) in St. destruct St as (u & Gu & St).
-    destruct (square Z C any checked s t a u F St) as [[K E] | (v & Sv & Fv)].
+    destruct (square Y C any rows rows_ok checked s t a u F St) as [[K E] | (v & Sv & Fv)].
     - left. subst u. split.
       + destruct any; [ exact A | destruct K as [K | K]; [ discriminate | congruence ]].
       + destruct Gu as [_ Eu]. destruct Gt as [_ Et]. congruence.
     - right. assert (Sp : exists w, packs v w /\ step (packed L Y) y a w).
       { exists (pack (groups L) v). destruct (packed_bisimulation L Y fine) as (_ & H2 & _).
-        assert (Gv : packs v (pack (groups L) v)) by (split; [ exact (H2 t a v (proj1 Gt) (proj1 (tabled_step L Y t a v) Sv)) | reflexivity ]).
+        assert (Gv : packs v (pack (groups L) v)) by (split; [ exact (H2 t a v (proj1 Gt) Sv) | reflexivity ]).
         split; [ exact Gv |]. apply (packed_step t y a _ Gt). eauto. }
       destruct Sp as (w & Gw & Sw). exists w. split; [ apply unreduced_step; exists a; auto |]. exists u, v. auto.
   Qed.
 
-  Lemma cube_changes : forall s c its, in_cube s c -> forallb (sure Z c) its = true ->
-    map (change_of Z (cube_state c)) its = changes_at Z s its.
+  Lemma cube_changes : forall s c its, in_cube s c -> forallb (sure Y rows c) its = true ->
+    map (change_of rows (cube_state c)) its = changes_at rows s its.
   Proof.
     intros s c its G H. rewrite forallb_forall in H. apply map_ext_in. intros it Hit. specialize (H it Hit).
     unfold sure in H. destruct (Nat.ltb _ _); [| discriminate ]. destruct it as [k e | k x]; [| reflexivity ].
@@ -721,34 +723,33 @@ Section Following.
     intros x. unfold lead_on. cbn zeta.
     assert (K : forall l x, good x -> exists k, row goes k x (fold_left (fun x j =>
       if j <? entries C then
-        if passes (fst (table (entries C) (fun j => (tests_of (states_of C j), writes_of Z (element (rules_of_whole Z) (follows C j)) (states_of C j))) j)) x
-        then fold_left write_field (snd (table (entries C) (fun j => (tests_of (states_of C j), writes_of Z (element (rules_of_whole Z) (follows C j)) (states_of C j))) j)) x else x
+        if passes (fst (table (entries C) (fun j => (tests_of (states_of C j), writes_of rows (element (rules_of_whole Y) (follows C j)) (states_of C j))) j)) x
+        then fold_left write_field (snd (table (entries C) (fun j => (tests_of (states_of C j), writes_of rows (element (rules_of_whole Y) (follows C j)) (states_of C j))) j)) x else x
       else x) l x)); [| intros G; exact (K (hint C x) x G) ].
     clear x. induction l as [| j l IH]; intros x G; [ exists 0%nat; constructor |]. cbn [fold_left].
     destruct (j <? entries C) eqn:Hj; [| exact (IH x G) ]. rewrite table_spec. cbn [fst snd].
     destruct (passes (tests_of (states_of C j)) x) eqn:PS; [| exact (IH x G) ].
-    destruct G as (s & G). destruct (entries_hold Z C any checked j Hj) as (R & ER & HE). rewrite ER. cbn [writes_of].
+    destruct G as (s & G). destruct (entries_hold Y C any rows checked j Hj) as (R & ER & HE). rewrite ER. cbn [writes_of].
     pose proof fine as FN. unfold system_ok in FN. rewrite !andb_true_iff in FN. destruct FN as [[[[HN _] _] HB] HEB].
     assert (IC : in_cube s (states_of C j)).
     { intros k v E. apply local_in_list in E. unfold passes in PS. rewrite forallb_forall in PS.
       specialize (PS (read_local L k, v) (in_map (fun kv => (read_local L (fst kv), snd kv)) _ _ E)). cbn [fst snd] in PS.
       apply eqb_true in PS. destruct G as [F Ex]. subst x. rewrite (read_packed L HN s F k) in PS. exact PS. }
     pose proof HE as (HR & HA & HP & HS & _). rewrite (cube_changes s _ _ IC HS).
-    assert (F : followed Z C s (apply s (changes_at Z s (items R)))).
+    assert (F : followed Y C rows s (apply s (changes_at rows s (items R)))).
     { split; [ exact (fits_n s (proj1 G)) |]. exists j, R. auto. }
-    destruct (followed_step Z C any checked _ _ F) as (a & _ & St).
+    destruct (followed_step Y C any rows rows_ok checked _ _ F) as (a & _ & St).
     destruct (packed_bisimulation L Y fine) as (_ & H2 & _).
-    assert (Gt : packs (apply s (changes_at Z s (items R))) (pack (groups L) (apply s (changes_at Z s (items R)))))
-      by (split; [ exact (H2 _ _ _ (proj1 G) (proj1 (tabled_step L Y _ _ _) St)) | reflexivity ]).
+    assert (Gt : packs (apply s (changes_at rows s (items R))) (pack (groups L) (apply s (changes_at rows s (items R)))))
+      by (split; [ exact (H2 _ _ _ (proj1 G) St) | reflexivity ]).
     destruct G as [Fs Ex]. subst x.
-    rewrite (write_packed L HN (changes_at Z s (items R)) s Fs).
-    - destruct (IH _ (ex_intro (fun v => packs v _) _ Gt)) as (k & W). exists (S k). apply (row_more goes k _ (pack (groups L) (apply s (changes_at Z s (items R))))).
-      + exists s, (apply s (changes_at Z s (items R))). split; [ split; [ exact Fs | reflexivity ] | auto ].
+    rewrite (write_packed L HN (changes_at rows s (items R)) s Fs).
+    - destruct (IH _ (ex_intro (fun v => packs v _) _ Gt)) as (k & W). exists (S k). apply (row_more goes k _ (pack (groups L) (apply s (changes_at rows s (items R))))).
+      + exists s, (apply s (changes_at rows s (items R))). split; [ split; [ exact Fs | reflexivity ] | auto ].
       + exact W.
-    - intros c Hc. apply (moves_bounded L Y HEB s Fs (whole Y) HB (performed R, changes_at Z s (items R)) c); [| exact Hc ].
-      rewrite <- (tabled_moves L Y).
-      apply (whole_moves Z s (whole Z) []). exists R. split; [ exact HR | split; [ reflexivity |]].
-      exact (entry_enabled Z C any s j R IC HE).
+    - intros c Hc. apply (moves_bounded L Y HEB s Fs (whole Y) HB (performed R, changes_at rows s (items R)) c); [| exact Hc ].
+      apply (whole_moves Y s (whole Y) []). exists R. split; [ exact HR | split; [ reflexivity |]].
+      exact (entry_enabled Y C any rows rows_ok s j R IC HE).
   Qed.
 
   Theorem reduced_property_unreduced : forall p, satisfies p reduced -> satisfies p unreduced.
@@ -763,10 +764,10 @@ End Following.
 
 (* If only deadlocks matter, steps with any event may be followed. *)
 Definition only_deadlocks (p : property) : bool := match p with Deadlock_free => true | _ => false end.
-Theorem reduced_implementation : forall L Y C A m (spec : lts A), system_ok L Y = true -> confluent_ok (tabled L Y) C false = true ->
+Theorem reduced_implementation : forall L Y C A m (spec : lts A), system_ok L Y = true -> confluent_ok Y C false (rows_by_event L Y) = true ->
   refines m spec (reduced L Y C false) -> refines m spec (packed L Y).
 Proof. intros L Y C A m spec H1 H2. exact (reduced_implementation_unreduced L Y C false H1 H2 A m spec). Qed.
-Theorem reduced_property : forall L Y C p, system_ok L Y = true -> confluent_ok (tabled L Y) C (only_deadlocks p) = true ->
+Theorem reduced_property : forall L Y C p, system_ok L Y = true -> confluent_ok Y C (only_deadlocks p) (rows_by_event L Y) = true ->
   satisfies p (reduced L Y C (only_deadlocks p)) -> satisfies p (packed L Y).
 Proof.
   intros L Y C p H1 H2 H. apply (reduced_property_unreduced _ _ _ _ H1 H2) in H.

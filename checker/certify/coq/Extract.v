@@ -10,5 +10,5 @@ Extract Inlined Constant PArray.get => "Parray.get".
 Extract Inlined Constant PArray.set => "Parray.set".
 Extract Inlined Constant PArray.length => "Parray.length".
 Extract Inlined Constant PArray.max_length => "Parray.max_length".
-Extraction "verified.ml" certify_refinement certify_property compact searched shape_ok reduction_ok merged rules_of_whole has_event goal determined spared impossible cannot_fire sure commutes undisturbed outcomes merging_ok check_specification check_implementation check_property event_needs refusals enabled any_event after.
+Extraction "verified.ml" certify_refinement certify_property compact searched shape_ok reduction_ok merged rules_of_whole rows_by_event has_event goal determined spared impossible cannot_fire sure commutes undisturbed outcomes merging_ok check_specification check_implementation check_property event_needs refusals enabled any_event after.
 Print Assumptions program_sound.

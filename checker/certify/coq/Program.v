@@ -14,7 +14,7 @@ Definition shape_ok (h : shape) (Y : system) : bool :=
 Definition searched (any : bool) (h : shape) (R : option reduction) (Y : system) : lts (list int) :=
   match R with None => compact h Y | Some R => reduced (packs h) (merged (merges h) Y) R any end.
 Definition reduction_ok (any : bool) (h : shape) (R : option reduction) (Y : system) : bool :=
-  match R with None => true | Some R => confluent_ok (tabled (packs h) (merged (merges h) Y)) R any end.
+  match R with None => true | Some R => let Z := merged (merges h) Y in confluent_ok Z R any (rows_by_event (packs h) Z) end.
 
 (* Check a refinement and a property. The shapes, the reduction, the normal form, the evidence and the pairs may be any
    data. *)
