@@ -145,11 +145,11 @@ let guarded f =
   | Invalid_argument _ | Not_found | Failure _ | Division_by_zero -> Refused "the evidence is malformed"
 
 (* Returns which steps of the implementation are followed, if that makes the search smaller. *)
-let reduction_for (claim : Formats.claim) plan ~most =
+let reduction_for (claim : Formats.claim) plan =
   let impl = claim.implementation in
   let any = claim.question = Formats.Property Deadlock_free in
   Follow.reduction_of (merged plan.shape.merges impl.system) impl.sizes plan.shape.packs
-    (compact plan.shape impl.system) ~any ~most
+    (compact plan.shape impl.system) ~any
 
 (* Finds the pairs while the check visits them. Returns the search, and whether the check accepts. *)
 let check_on_the_way ?reduction plan ~most =
@@ -162,7 +162,7 @@ let check_on_the_way ?reduction plan ~most =
 let certify ?(reduce = true) (claim : Formats.claim) ~most =
   guarded (fun () ->
       let plan = plan_of claim ~most in
-      let reduction = if reduce then reduction_for claim plan ~most else None in
+      let reduction = if reduce then reduction_for claim plan else None in
       let certified (walk : Search.walk) ~reduced =
         Certified
           { pairs = walk.pairs.filled; nodes = Array.length plan.nodes; transitions = walk.moves_seen;

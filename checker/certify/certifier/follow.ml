@@ -410,13 +410,15 @@ let reduction t : reduction =
       (fun j cube -> Option.value ~default:count (Keys.find_opt t.entry_numbers (entry_key (fst t.entries.(j)) cube)));
     hint = hint t }
 
-(* Explores the reduced system depth first, and learns which steps may be followed. Returns false if this does not make
-   the system noticeably smaller. *)
+(* Learning ends after so many states. Then only the steps that were learned are followed. So a state that is explored
+   twice costs little, and learning ends soon for a process that cannot be reduced. *)
 let sample_size = 20_000
 
-let learn t (lts : Search.words lts) ~most =
+(* Explores a part of the reduced system, and learns which steps may be followed. Returns false if this does not make the
+   system noticeably smaller. *)
+let learn t (lts : Search.words lts) =
   let store = Search.new_store (List.length lts.init) in
-  let stack = Stack.create () in
+  let frontier = Search.new_row () and expanded = ref 0 in
   let targets = ref 0 in
   let add words =
     incr targets;
@@ -429,16 +431,24 @@ let learn t (lts : Search.words lts) ~most =
       end
     in
     let before = store.Search.filled in
-    if Search.insert store words 0 = before then Stack.push words stack
+    if Search.insert store words 0 = before then Search.push frontier before
   in
   add lts.init;
+  (* Removes a state of the frontier. The order looks random, so that early states come from all parts of the system. *)
+  let take () =
+    let i = Search.mix 0 !expanded land max_int mod frontier.used in
+    let j = frontier.values.{i} in
+    frontier.used <- frontier.used - 1;
+    frontier.values.{i} <- frontier.values.{frontier.used};
+    incr expanded;
+    Search.words_at store j
+  in
   let worthwhile () = 10 * t.led >= !targets in
   let rec go () =
-    if Stack.is_empty stack then t.led > 0
-    else if store.Search.filled > most then t.led > 0
-    else if store.Search.filled > sample_size && not (worthwhile ()) then false
+    if frontier.used = 0 then t.led > 0
+    else if store.Search.filled > sample_size then worthwhile ()
     else begin
-      List.iter (fun (_, u) -> add u) (lts.succ0 (Stack.pop stack));
+      List.iter (fun (_, u) -> add u) (lts.succ0 (take ()));
       go ()
     end
   in
@@ -447,10 +457,10 @@ let learn t (lts : Search.words lts) ~most =
   useful
 
 (* Returns a reduction of the process, if there is one that helps. *)
-let reduction_of (process : system) sizes (layout : layout) (lts : Search.words lts) ~any ~most =
+let reduction_of (process : system) sizes (layout : layout) (lts : Search.words lts) ~any =
   if count_rules process > most_rules then None
   else
     let t = prepare process sizes layout layout.event_count ~any in
     if Array.for_all (fun q -> q < 0) t.first then None
-    else if learn t lts ~most then Some (reduction t)
+    else if learn t lts then Some (reduction t)
     else None
