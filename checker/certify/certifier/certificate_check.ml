@@ -4,7 +4,7 @@ open Verified
 
 type 'a array = 'a Array.t
 
-type figures = { pairs : int; nodes : int; transitions : int; components : int; rules : int }
+type figures = { pairs : int; nodes : int; transitions : int; components : int; rules : int; reduced : bool }
 type answer = Certified of figures | Refused of string | Undecided of string
 
 (* A side of the claim: a compiled process, or a term and how it is split. *)
@@ -133,14 +133,14 @@ let prove ?(lenient = false) ?forge ?split_forge (claim : Formats.claim) ~most =
 
 (* Runs the verified check. The theorems `program_sound` and `script_sound` state what its answer `true` means. Only this
    answer certifies a claim. *)
-let accepted = function
+let accepted ?reduction = function
   | Of_refinement (model, spec_shape, System spec, shape, System impl, normal, evidence, pairs) ->
-      certify_refinement model spec_shape spec shape impl normal evidence pairs
+      certify_refinement model spec_shape spec shape impl reduction normal evidence pairs
   | Of_refinement (model, spec_shape, Split_term (spec, xs), shape, Split_term (impl, xi), normal, evidence, pairs) ->
-      certify_scripts model spec xs spec_shape impl xi shape normal evidence pairs
+      certify_scripts model spec xs spec_shape impl xi shape reduction normal evidence pairs
   | Of_refinement _ -> false
-  | Of_property (property, shape, System impl, pairs) -> certify_property property shape impl pairs
-  | Of_property (property, shape, Split_term (impl, x), pairs) -> certify_script property impl x shape pairs
+  | Of_property (property, shape, System impl, pairs) -> certify_property property shape impl reduction pairs
+  | Of_property (property, shape, Split_term (impl, x), pairs) -> certify_script property impl x shape reduction pairs
 
 (* Returns which part of the check refuses. *)
 let first_refused proof =
@@ -168,18 +168,36 @@ let guarded f =
   | Out_of_memory -> Undecided "there is no more memory"
   | Invalid_argument _ | Not_found | Failure _ | Division_by_zero -> Refused "the evidence is malformed"
 
-(* Finds the pairs while the check visits them. If the check refuses, another search finds the run to the violation. *)
-let certify (claim : Formats.claim) ~most =
+(* Returns which steps of the implementation are followed, if that makes the search smaller. *)
+let reduction_for (claim : Formats.claim) plan =
+  let process = plan.process in
+  let any = claim.question = Formats.Property Deadlock_free in
+  Follow.reduction_of (merged plan.shape.merges process.system) process.sizes plan.shape.packs
+    (compact plan.shape process.system) ~any
+
+(* Finds the pairs while the check visits them. Returns the search, and whether the check accepts. *)
+let check_on_the_way ?reduction plan ~most =
+  let walk = Search.new_walk (width plan.shape) in
+  let ordered = plan.task.forbid_cycles in
+  let proof = plan.completed (Search.pairs_on_the_way walk plan.choose ~ordered ~most) in
+  (walk, proof, try accepted ?reduction proof with Search.Loop_of_taus -> false)
+
+(* If the check refuses, another search without a reduction finds the run to the violation. *)
+let certify ?(reduce = true) (claim : Formats.claim) ~most =
   guarded (fun () ->
       let plan = plan_of claim ~most in
-      let walk = Search.new_walk (width plan.shape) in
-      let ordered = plan.task.forbid_cycles in
-      let proof = plan.completed (Search.pairs_on_the_way walk plan.choose ~ordered ~most) in
-      if try accepted proof with Search.Loop_of_taus -> false then
+      let reduction = if reduce then reduction_for claim plan else None in
+      let certified (walk : Search.walk) ~reduced =
         Certified
           { pairs = walk.pairs.filled; nodes = Array.length plan.nodes; transitions = walk.moves_seen;
-            components = Array.length plan.process.component_names; rules = plan.process.rule_count }
+            components = Array.length plan.process.component_names; rules = plan.process.rule_count; reduced }
+      in
+      let walk, proof, accepts = check_on_the_way ?reduction plan ~most in
+      if accepts then certified walk ~reduced:(reduction <> None)
       else begin
         ignore (search_pairs plan ~most);
-        Refused (first_refused proof)
+        if reduction = None then Refused (first_refused proof)
+        else
+          let walk, proof, accepts = check_on_the_way plan ~most in
+          if accepts then certified walk ~reduced:false else Refused (first_refused proof)
       end)

@@ -259,7 +259,7 @@ let theorem (claim : Formats.claim) ~most =
       let m = model_name model in
       prove out
         (statement (Printf.sprintf "refines %s %s %s" m (lts "specification") (lts "implementation")))
-        (Printf.sprintf "%s %s %s %s normal reasons found"
+        (Printf.sprintf "%s %s %s %s None normal reasons found"
            (if terms then "scripts_sound" else "refinement_sound")
            m (data "specification") (data "implementation"))
   | Of_property (property, shape, impl, _) ->
@@ -268,5 +268,5 @@ let theorem (claim : Formats.claim) ~most =
       let p = property_name property in
       prove out
         (statement (Printf.sprintf "satisfies %s %s" p (lts "implementation")))
-        (Printf.sprintf "%s %s %s found" (if terms then "script_property_sound" else "property_sound") p (data "implementation")));
+        (Printf.sprintf "%s %s %s None found" (if terms then "script_property_sound" else "property_sound") p (data "implementation")));
   Buffer.contents out

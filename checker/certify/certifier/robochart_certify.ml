@@ -42,6 +42,10 @@ let grouped n =
 
 let plural n word = Printf.sprintf "%s %s%s" (grouped n) word (if n = 1 then "" else "s")
 
+let pairs_text (figures : Certificate_check.figures) =
+  if figures.reduced then plural figures.pairs "pair" ^ ", reduced by confluent taus"
+  else "unreduced, " ^ plural figures.pairs "pair"
+
 let decide ~most folder =
   match Formats.read_claim folder with
   | exception Formats.Unreadable why -> ("", "", Certificate_check.Refused why)
@@ -59,8 +63,8 @@ let show ~most ~quiet folder =
   match answer with
   | Certificate_check.Certified figures ->
       if not quiet then
-        Printf.printf "CERTIFIED  %s: %s: %s level, unreduced, %s, %s\n%!" (printable folder) (printable source) level
-          (plural figures.pairs "pair") (plural figures.components "component");
+        Printf.printf "CERTIFIED  %s: %s: %s level, %s, %s\n%!" (printable folder) (printable source) level
+          (pairs_text figures) (plural figures.components "component");
       Some level
   | Refused why -> refuse why
   | Undecided why -> refuse ("not decided: " ^ why)
@@ -69,7 +73,9 @@ let show ~most ~quiet folder =
 let print_answer folder ~most =
   let line, code =
     match decide ~most folder with
-    | _, _, Certificate_check.Certified figures -> (Printf.sprintf "certified %d %d" figures.pairs figures.components, 0)
+    | _, _, Certificate_check.Certified figures ->
+        let reduced = if figures.reduced then " confluent-taus" else "" in
+        (Printf.sprintf "certified %d %d%s" figures.pairs figures.components reduced, 0)
     | _, _, Refused why -> ("refused " ^ printable why, 1)
     | _, _, Undecided why -> ("undecided " ^ printable why, 1)
   in

@@ -120,6 +120,21 @@ module Pos =
   | XO p -> XI (pred_double p)
   | XH -> XH
 
+  (** val mul : positive -> positive -> positive **)
+
+  let rec mul x y =
+    match x with
+    | XI p -> add y (XO (mul p y))
+    | XO p -> XO (mul p y)
+    | XH -> y
+
+  (** val iter : ('a1 -> 'a1) -> 'a1 -> positive -> 'a1 **)
+
+  let rec iter f x = function
+  | XI n' -> f (iter f (iter f x n') n')
+  | XO n' -> iter f (iter f x n') n'
+  | XH -> f x
+
   (** val compare_cont : comparison -> positive -> positive -> comparison **)
 
   let rec compare_cont r x y =
@@ -155,6 +170,14 @@ module Pos =
 
   let to_nat x =
     iter_op Coq__1.add x (Stdlib.Int.succ 0)
+
+  (** val of_succ_nat : int -> positive **)
+
+  let rec of_succ_nat n =
+    (fun fO fS n -> if n=0 then fO () else fS (n-1))
+      (fun _ -> XH)
+      (fun x -> succ (of_succ_nat x))
+      n
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -229,6 +252,12 @@ let rec forallb f = function
 let rec filter f = function
 | [] -> []
 | x :: l0 -> if f x then x :: (filter f l0) else filter f l0
+
+(** val find : ('a1 -> bool) -> 'a1 list -> 'a1 option **)
+
+let rec find f = function
+| [] -> None
+| x :: tl0 -> if f x then Some x else find f tl0
 
 (** val skipn : int -> 'a1 list -> 'a1 list **)
 
@@ -315,6 +344,34 @@ module Z =
        | Zpos y' -> pos_sub y' x'
        | Zneg y' -> Zneg (Pos.add x' y'))
 
+  (** val mul : z -> z -> z **)
+
+  let mul x y =
+    match x with
+    | Z0 -> Z0
+    | Zpos x' ->
+      (match y with
+       | Z0 -> Z0
+       | Zpos y' -> Zpos (Pos.mul x' y')
+       | Zneg y' -> Zneg (Pos.mul x' y'))
+    | Zneg x' ->
+      (match y with
+       | Z0 -> Z0
+       | Zpos y' -> Zneg (Pos.mul x' y')
+       | Zneg y' -> Zpos (Pos.mul x' y'))
+
+  (** val pow_pos : z -> positive -> z **)
+
+  let pow_pos z0 =
+    Pos.iter (mul z0) (Zpos XH)
+
+  (** val pow : z -> z -> z **)
+
+  let pow x = function
+  | Z0 -> Zpos XH
+  | Zpos p -> pow_pos x p
+  | Zneg _ -> Z0
+
   (** val compare : z -> z -> comparison **)
 
   let compare x y =
@@ -338,11 +395,26 @@ module Z =
     | Gt -> false
     | _ -> true
 
+  (** val ltb : z -> z -> bool **)
+
+  let ltb x y =
+    match compare x y with
+    | Lt -> true
+    | _ -> false
+
   (** val to_nat : z -> int **)
 
   let to_nat = function
   | Zpos p -> Pos.to_nat p
   | _ -> 0
+
+  (** val of_nat : int -> z **)
+
+  let of_nat n =
+    (fun fO fS n -> if n=0 then fO () else fS (n-1))
+      (fun _ -> Z0)
+      (fun n0 -> Zpos (Pos.of_succ_nat n0))
+      n
  end
 
 (** val lsl0 : Uint63.t -> Uint63.t -> Uint63.t **)
@@ -356,6 +428,10 @@ let lsr0 = Uint63.l_sr
 (** val land0 : Uint63.t -> Uint63.t -> Uint63.t **)
 
 let land0 = Uint63.l_and
+
+(** val lor0 : Uint63.t -> Uint63.t -> Uint63.t **)
+
+let lor0 = Uint63.l_or
 
 (** val add0 : Uint63.t -> Uint63.t -> Uint63.t **)
 
@@ -408,6 +484,11 @@ let is_zero i =
 let is_even i =
   is_zero (land0 i (Uint63.of_int (1)))
 
+(** val opp : Uint63.t -> Uint63.t **)
+
+let opp i =
+  sub (Uint63.of_int (0)) i
+
 (** val to_Z_rec : int -> Uint63.t -> z **)
 
 let rec to_Z_rec n i =
@@ -423,6 +504,31 @@ let rec to_Z_rec n i =
 
 let to_Z =
   to_Z_rec size
+
+(** val of_pos_rec : int -> positive -> Uint63.t **)
+
+let rec of_pos_rec n p =
+  (fun fO fS n -> if n=0 then fO () else fS (n-1))
+    (fun _ -> (Uint63.of_int (0)))
+    (fun n0 ->
+    match p with
+    | XI p0 ->
+      lor0 (lsl0 (of_pos_rec n0 p0) (Uint63.of_int (1))) (Uint63.of_int (1))
+    | XO p0 -> lsl0 (of_pos_rec n0 p0) (Uint63.of_int (1))
+    | XH -> (Uint63.of_int (1)))
+    n
+
+(** val of_pos : positive -> Uint63.t **)
+
+let of_pos =
+  of_pos_rec size
+
+(** val of_Z : z -> Uint63.t **)
+
+let of_Z = function
+| Z0 -> (Uint63.of_int (0))
+| Zpos p -> of_pos p
+| Zneg p -> opp (of_pos p)
 
 type 'a array = 'a Parray.t
 
@@ -471,6 +577,13 @@ type change = int * Uint63.t
 let nonempty = function
 | [] -> false
 | _ :: _ -> true
+
+(** val before : rule -> Uint63.t -> bool **)
+
+let before q l =
+  match q.level with
+  | Some k -> ltb0 k l
+  | None -> false
 
 (** val all_from :
     Uint63.t list -> (Uint63.t -> bool) -> Uint63.t -> Uint63.t -> bool **)
@@ -581,13 +694,13 @@ let steps_to spec eqs s a u =
     'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 evidence -> (Uint63.t -> 'a1 ->
     bool) -> (Uint63.t -> origin) -> Uint63.t -> bool **)
 
-let derived spec eqs e seed source k =
+let derived spec eqs e seed source0 k =
   all_below (fun j ->
-    let o = source j in
+    let o = source0 j in
     if o.by_event
     then seed o.from (e.member k j)
     else if ltb0 o.from (e.size0 k)
-         then if ltb0 (source o.from).depth o.depth
+         then if ltb0 (source0 o.from).depth o.depth
               then steps_to spec eqs (e.member k o.from) tau (e.member k j)
               else false
          else false) (e.size0 k)
@@ -980,13 +1093,13 @@ let asked events i rules =
 let asker y events local_states local set_local rules i = function
 | Slot k ->
   let wanted = asked events i rules in
-  let ways =
+  let ways0 =
     table events (fun e ->
       if Parray.get wanted e
       then table (local_states k) (slot_ways y set_local k e)
       else slot_ways y set_local k e)
   in
-  let get = local k in (fun e -> AskSlot (get, (ways e)))
+  let get = local k in (fun e -> AskSlot (get, (ways0 e)))
 | Inner _ -> (fun x -> AskInner (i, x))
 
 (** val number : (int -> 'a1 -> 'a2) -> int -> 'a1 list -> 'a2 list **)
@@ -1023,9 +1136,9 @@ let rules_of events i rules =
     system -> (int -> Uint63.t -> 'a2) -> (ev -> ('a1, 'a2) frule list) ->
     int -> Uint63.t -> ('a1, 'a2) lead list **)
 
-let slot_leads y set_local find k v =
+let slot_leads y set_local find0 k v =
   flat_map (fun x ->
-    map (fun r -> (r, ((set_local k (snd x)) :: []))) (find (fst x)))
+    map (fun r -> (r, ((set_local k (snd x)) :: []))) (find0 (fst x)))
     (y.edges k v)
 
 (** val has_level : rule -> bool **)
@@ -1040,22 +1153,22 @@ let has_level r =
     (int -> Uint63.t -> 'a2) -> region -> ('a1, 'a2) fregion **)
 
 let rec prepare y events local_states local set_local = function
-| Region (inside, rules) ->
+| Region (inside0, rules) ->
   let askers =
-    number (asker y events local_states local set_local rules) 0 inside
+    number (asker y events local_states local set_local rules) 0 inside0
   in
   let both = map (fun r0 -> (r0, (frule_of set_local askers r0))) rules in
   FRegion ((existsb has_level rules),
   (number (fun i g -> g i) 0
     (map (fun p i ->
-      let find = rules_of events i both in
+      let find0 = rules_of events i both in
       (match p with
        | Slot k ->
          FSlot ((local k),
-           (table (local_states k) (slot_leads y set_local find k)))
+           (table (local_states k) (slot_leads y set_local find0 k)))
        | Inner r' ->
-         FInner (i, (prepare y events local_states local set_local r'), find)))
-      inside)))
+         FInner (i, (prepare y events local_states local set_local r'), find0)))
+      inside0)))
 
 type 'packed_change inner_list = (int * 'packed_change fmove list) list
 
@@ -1069,7 +1182,7 @@ let rec inner_moves i = function
 (** val fulfil : 'a1 -> 'a2 inner_list -> ('a1, 'a2) ask -> 'a2 list list **)
 
 let fulfil c l = function
-| AskSlot (get, ways) -> ways (get c)
+| AskSlot (get, ways0) -> ways0 (get c)
 | AskInner (i, e) ->
   flat_map (fun m -> if eqb (fst m) e then (snd m) :: [] else [])
     (inner_moves i l)
@@ -1083,10 +1196,10 @@ let rec others c l = function
   (match fulfil c l a with
    | [] -> []
    | l0 :: l1 ->
-     let ways = l0 :: l1 in
+     let ways0 = l0 :: l1 in
      (match rest with
-      | [] -> ways
-      | _ :: _ -> flat_map (fun x -> map (app x) (others c l rest)) ways))
+      | [] -> ways0
+      | _ :: _ -> flat_map (fun x -> map (app x) (others c l rest)) ways0))
 
 (** val fold_leads :
     ('a3 -> ('a1, 'a2) lead -> 'a3) -> 'a1 -> 'a2 inner_list -> ('a1, 'a2)
@@ -1095,35 +1208,35 @@ let rec others c l = function
 let fold_leads f c l p acc =
   match p with
   | FSlot (get, leads) -> fold_left f (leads (get c)) acc
-  | FInner (i, _, find) ->
+  | FInner (i, _, find0) ->
     fold_left (fun acc0 m ->
       let (e, first) = m in
-      fold_left (fun acc1 r -> f acc1 (r, first)) (find e) acc0)
+      fold_left (fun acc1 r -> f acc1 (r, first)) (find0 e) acc0)
       (inner_moves i l) acc
 
 (** val extend : 'a1 list -> 'a1 list -> 'a1 list **)
 
-let extend first way = match way with
+let extend first way0 = match way0 with
 | [] -> first
-| _ :: _ -> app first way
+| _ :: _ -> app first way0
 
 (** val add_moves :
     ('a1, 'a2) lead -> 'a2 list list -> 'a2 fmove list -> 'a2 fmove list **)
 
-let add_moves q ways acc =
+let add_moves q ways0 acc =
   let (r, first) = q in
-  fold_left (fun acc0 way -> (r.f_does,
+  fold_left (fun acc0 way0 -> (r.f_does,
     (match r.f_puts with
-     | [] -> extend first way
-     | p0 :: l -> app first (app way (p0 :: l)))) :: acc0) ways acc
+     | [] -> extend first way0
+     | p0 :: l -> app first (app way0 (p0 :: l)))) :: acc0) ways0 acc
 
 (** val fire_all :
     'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant list -> 'a2 fmove list **)
 
-let fire_all c l inside =
+let fire_all c l inside0 =
   fold_left (fun acc p ->
     fold_leads (fun acc0 q -> add_moves q (others c l (fst q).f_asks) acc0) c
-      l p acc) inside []
+      l p acc) inside0 []
 
 type ('packed_state, 'packed_change) candidate =
   ('packed_state, 'packed_change) lead * 'packed_change list list
@@ -1141,9 +1254,9 @@ let add_candidate c l q acc =
     'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant list -> ('a1, 'a2)
     candidate list **)
 
-let candidates c l inside =
+let candidates c l inside0 =
   fold_left (fun acc p ->
-    fold_leads (fun acc0 q -> add_candidate c l q acc0) c l p acc) inside []
+    fold_leads (fun acc0 q -> add_candidate c l q acc0) c l p acc) inside0 []
 
 (** val lesser :
     Uint63.t option -> ('a1, 'a2) candidate -> Uint63.t option **)
@@ -1181,25 +1294,25 @@ let fire_ready cs =
 (** val fast_moves : 'a1 -> ('a1, 'a2) fregion -> 'a2 fmove list **)
 
 let rec fast_moves c = function
-| FRegion (prioritised, inside) ->
+| FRegion (prioritised, inside0) ->
   let l =
     flat_map (fun p ->
       match p with
       | FSlot (_, _) -> []
-      | FInner (i, r', _) -> (i, (fast_moves c r')) :: []) inside
+      | FInner (i, r', _) -> (i, (fast_moves c r')) :: []) inside0
   in
   if prioritised
-  then fire_ready (candidates c l inside)
-  else fire_all c l inside
+  then fire_ready (candidates c l inside0)
+  else fire_all c l inside0
 
 (** val asking : region -> bool **)
 
 let rec asking = function
-| Region (inside, rules) ->
+| Region (inside0, rules) ->
   (&&) (forallb (fun r0 -> nonempty r0.asks) rules)
     (forallb (fun p -> match p with
                        | Slot _ -> true
-                       | Inner r' -> asking r') inside)
+                       | Inner r' -> asking r') inside0)
 
 (** val encode : Uint63.t list -> Uint63.t list -> Uint63.t **)
 
@@ -1341,12 +1454,12 @@ let inside_bounds l c =
 let bounded l =
   let bits = concat l.groups in
   let rec bounded0 = function
-  | Region (inside, rules) ->
+  | Region (inside0, rules) ->
     (&&) (forallb (fun r0 -> forallb (inside_bounds l) r0.puts) rules)
       (forallb (fun p ->
         match p with
         | Slot k -> Nat.ltb k (length bits)
-        | Inner r' -> bounded0 r') inside)
+        | Inner r' -> bounded0 r') inside0)
   in bounded0
 
 (** val edges_bounded : layout -> system -> bool **)
@@ -1438,12 +1551,12 @@ let merge_rule m r =
 (** val merge_region : merging -> region -> region **)
 
 let rec merge_region m = function
-| Region (inside, rules) ->
+| Region (inside0, rules) ->
   Region
     ((map (fun p ->
        match p with
        | Slot k -> Slot k
-       | Inner r' -> Inner (merge_region m r')) inside),
+       | Inner r' -> Inner (merge_region m r')) inside0),
     (map (merge_rule m) rules))
 
 (** val merged : merging -> system -> system **)
@@ -1466,11 +1579,11 @@ let equal_edges l k =
 (** val slots_below : int -> region -> bool **)
 
 let rec slots_below n = function
-| Region (inside, _) ->
+| Region (inside0, _) ->
   forallb (fun p ->
     match p with
     | Slot k -> Nat.ltb k n
-    | Inner r' -> slots_below n r') inside
+    | Inner r' -> slots_below n r') inside0
 
 (** val merging_ok : merging -> system -> bool **)
 
@@ -1485,6 +1598,564 @@ let merging_ok m y =
                (merge_edges m k (y.edges k w))) (m.merged_states k))
       (seq 0 (length y.start)))
 
+type item =
+| Performs of int * ev
+| Sets of int * Uint63.t
+
+(** val item_slot : item -> int **)
+
+let item_slot = function
+| Performs (k, _) -> k
+| Sets (k, _) -> k
+
+type passage = { place : int list; inside : participant list;
+                 rivals : rule list; own : rule; around : int list;
+                 prior : bool }
+
+type whole_rule = { performed : ev; items : item list; passages : passage list }
+
+type way = item list * passage list
+
+(** val slots_of : region -> int list **)
+
+let rec slots_of = function
+| Region (inside0, _) ->
+  flat_map (fun p ->
+    match p with
+    | Slot k -> k :: []
+    | Inner r' -> slots_of r') inside0
+
+(** val can_be_prevented : rule list -> rule -> bool **)
+
+let can_be_prevented rules q =
+  match q.level with
+  | Some l -> existsb (fun o -> before o l) rules
+  | None -> false
+
+type source =
+| Of_slot of int
+| Of_region of whole_rule list
+
+(** val ways : source -> ev -> way list **)
+
+let ways src e =
+  match src with
+  | Of_slot k -> (((Performs (k, e)) :: []), []) :: []
+  | Of_region rules ->
+    flat_map (fun w ->
+      if eqb w.performed e then (w.items, w.passages) :: [] else []) rules
+
+(** val pick : source list -> (int * ev) list -> way list **)
+
+let rec pick sources = function
+| [] -> ([], []) :: []
+| p :: rest ->
+  let (i, e) = p in
+  let later = pick sources rest in
+  flat_map (fun a ->
+    map (fun b -> ((app (fst a) (fst b)), (app (snd a) (snd b)))) later)
+    (ways (nth i sources (Of_region [])) e)
+
+(** val put_items : change list -> item list **)
+
+let put_items l =
+  map (fun c -> Sets ((fst c), (snd c))) l
+
+(** val whole_of :
+    int list -> participant list -> rule list -> int list -> source list ->
+    rule -> whole_rule list **)
+
+let whole_of at_ parts rules slots0 sources q =
+  let passed = { place = at_; inside = parts; rivals = rules; own = q;
+    around = slots0; prior = (can_be_prevented rules q) }
+  in
+  let sets = put_items q.puts in
+  map (fun w -> { performed = q.does; items = (app (fst w) sets); passages =
+    (passed :: (snd w)) }) (pick sources q.asks)
+
+(** val whole_rules : region -> int list -> whole_rule list **)
+
+let rec whole_rules r at_ =
+  let Region (parts, rules) = r in
+  let sources =
+    number (fun i g -> g i) 0
+      (map (fun p x ->
+        match p with
+        | Slot k -> Of_slot k
+        | Inner r' -> Of_region (whole_rules r' (x :: at_))) parts)
+  in
+  let slots0 = slots_of r in
+  flat_map (whole_of at_ parts rules slots0 sources) rules
+
+(** val led : ('a1 -> 'a1) -> 'a1 lts -> 'a1 lts **)
+
+let led lead0 p =
+  { init = (lead0 p.init); succ0 = (fun s ->
+    map (fun m -> ((fst m), (lead0 (snd m)))) (p.succ0 s)) }
+
+(** val hidden : 'a1 lts -> 'a1 lts **)
+
+let hidden p =
+  { init = p.init; succ0 = (fun s ->
+    map (fun m -> (tau, (snd m))) (p.succ0 s)) }
+
+type cube = (int * Uint63.t) list
+
+(** val local_in : cube -> int -> Uint63.t option **)
+
+let rec local_in c k =
+  match c with
+  | [] -> None
+  | p :: c' -> let (j, v) = p in if (=) j k then Some v else local_in c' k
+
+(** val put_in : cube -> int -> Uint63.t -> cube **)
+
+let rec put_in c k x =
+  match c with
+  | [] -> []
+  | p :: c' ->
+    let (j, v) = p in (j, (if (=) j k then x else v)) :: (put_in c' k x)
+
+type reduction = { entries : Uint63.t; follows : (Uint63.t -> Uint63.t);
+                   states_of : (Uint63.t -> cube);
+                   entry_after : (Uint63.t -> cube -> Uint63.t);
+                   hint : (Uint63.t list -> Uint63.t list) }
+
+(** val same_item : item -> item -> bool **)
+
+let same_item x y =
+  match x with
+  | Performs (k, e) ->
+    (match y with
+     | Performs (j, d) -> if (=) k j then eqb e d else false
+     | Sets (_, _) -> false)
+  | Sets (k, v) ->
+    (match y with
+     | Performs (_, _) -> false
+     | Sets (j, w) -> if (=) k j then eqb v w else false)
+
+(** val same_items : item list -> item list -> bool **)
+
+let rec same_items l m =
+  match l with
+  | [] -> (match m with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: l' ->
+    (match m with
+     | [] -> false
+     | y :: m' -> if same_item x y then same_items l' m' else false)
+
+(** val same_path : int list -> int list -> bool **)
+
+let rec same_path p q =
+  match p with
+  | [] -> (match q with
+           | [] -> true
+           | _ :: _ -> false)
+  | i :: p' ->
+    (match q with
+     | [] -> false
+     | j :: q' -> if (=) i j then same_path p' q' else false)
+
+(** val load : 'a1 list -> Uint63.t -> 'a1 array -> 'a1 array **)
+
+let rec load l i t =
+  match l with
+  | [] -> t
+  | x :: l' -> load l' (add0 i (Uint63.of_int (1))) (Parray.set t i x)
+
+(** val element : 'a1 list -> Uint63.t -> 'a1 option **)
+
+let element l = match l with
+| [] -> (fun _ -> None)
+| x :: _ ->
+  let count = of_Z (Z.of_nat (length l)) in
+  if leb0 count Parray.max_length
+  then if Z.ltb (Z.of_nat (length l))
+            (Z.pow (Zpos (XO XH)) (Zpos (XO (XO (XI (XI (XI XH)))))))
+       then let t = load l (Uint63.of_int (0)) (Parray.make count x) in
+            (fun i -> if ltb0 i count then Some (Parray.get t i) else None)
+       else (fun _ -> None)
+  else (fun _ -> None)
+
+(** val rules_of_whole : system -> whole_rule list **)
+
+let rules_of_whole y =
+  whole_rules y.whole []
+
+(** val goal :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> Uint63.t **)
+
+let goal row_of k e v =
+  match find (fun x -> eqb (fst x) e) (row_of k e v) with
+  | Some x -> snd x
+  | None -> v
+
+(** val has_event :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> bool **)
+
+let has_event row_of k e v =
+  existsb (fun x -> eqb (fst x) e) (row_of k e v)
+
+(** val determined :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> bool **)
+
+let determined row_of k e v =
+  if has_event row_of k e v
+  then let g = goal row_of k e v in
+       forallb (fun x -> if eqb (fst x) e then eqb (snd x) g else true)
+         (row_of k e v)
+  else false
+
+(** val has_target :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t
+    -> Uint63.t -> bool **)
+
+let has_target row_of k e v x =
+  existsb (fun y -> if eqb (fst y) e then eqb (snd y) x else false)
+    (row_of k e v)
+
+(** val does_item :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> Uint63.t ->
+    item -> Uint63.t -> Uint63.t **)
+
+let does_item row_of k v it x =
+  match it with
+  | Performs (j, e) -> if (=) j k then goal row_of k e v else x
+  | Sets (j, y) -> if (=) j k then y else x
+
+(** val effect :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> int ->
+    Uint63.t -> Uint63.t **)
+
+let effect row_of its k v =
+  fold_left (fun x it -> does_item row_of k v it x) its v
+
+(** val touches : item list -> int -> bool **)
+
+let touches its k =
+  existsb (fun it -> (=) (item_slot it) k) its
+
+(** val change_of :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> (int -> Uint63.t) ->
+    item -> change **)
+
+let change_of row_of local = function
+| Performs (k, e) -> (k, (goal row_of k e (local k)))
+| Sets (k, x) -> (k, x)
+
+(** val sure :
+    system -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item
+    -> bool **)
+
+let sure y row_of =
+  let n = length y.start in
+  (fun c it ->
+  if Nat.ltb (item_slot it) n
+  then (match it with
+        | Performs (k, e) ->
+          (match local_in c k with
+           | Some v -> determined row_of k e v
+           | None -> false)
+        | Sets (_, _) -> true)
+  else false)
+
+(** val impossible :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item -> bool **)
+
+let impossible row_of c = function
+| Performs (k, e) ->
+  (match local_in c k with
+   | Some v -> negb (has_event row_of k e v)
+   | None -> false)
+| Sets (_, _) -> false
+
+(** val overrules : passage -> passage -> bool **)
+
+let overrules g h =
+  match g.own.level with
+  | Some l ->
+    (match h.own.level with
+     | Some m -> if ltb0 l m then same_path g.place h.place else false
+     | None -> false)
+  | None -> false
+
+(** val cannot_fire :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule -> cube ->
+    whole_rule -> bool **)
+
+let cannot_fire row_of r c w =
+  if existsb (impossible row_of c) w.items
+  then true
+  else existsb (fun h -> existsb (fun g -> overrules g h) r.passages)
+         w.passages
+
+(** val own_items : item list -> int -> item list **)
+
+let own_items its k =
+  filter (fun it -> (=) (item_slot it) k) its
+
+(** val commutes :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+    item -> bool **)
+
+let commutes row_of r c it =
+  let k = item_slot it in
+  (match own_items r k with
+   | [] -> true
+   | i :: l ->
+     (match i with
+      | Performs (_, e) ->
+        (match l with
+         | [] ->
+           (match it with
+            | Performs (_, d) ->
+              (match local_in c k with
+               | Some v ->
+                 let u = goal row_of k e v in
+                 forallb (fun x ->
+                   if eqb (fst x) d
+                   then has_target row_of k d u (goal row_of k e (snd x))
+                   else true) (row_of k d v)
+               | None -> false)
+            | Sets (_, _) -> false)
+         | _ :: _ -> false)
+      | Sets (_, _) -> false))
+
+(** val leaves :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+    int -> bool **)
+
+let leaves row_of r c k =
+  match local_in c k with
+  | Some v -> eqb (effect row_of r k v) v
+  | None -> false
+
+(** val undisturbed :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+    passage -> bool **)
+
+let undisturbed row_of r c g =
+  if g.prior
+  then forallb (fun it ->
+         let k = item_slot it in
+         if existsb ((=) k) g.around then leaves row_of r c k else true) r
+  else true
+
+(** val outcomes :
+    (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item list ->
+    cube -> cube list **)
+
+let rec outcomes row_of c its d =
+  match its with
+  | [] -> d :: []
+  | i :: rest ->
+    (match i with
+     | Performs (k, e) ->
+       (match local_in c k with
+        | Some v ->
+          flat_map (fun x ->
+            if eqb (fst x) e
+            then outcomes row_of c rest (put_in d k (snd x))
+            else []) (row_of k e v)
+        | None -> outcomes row_of c rest d)
+     | Sets (k, x) -> outcomes row_of c rest (put_in d k x))
+
+(** val implies_cube : cube -> cube -> bool **)
+
+let implies_cube c d =
+  forallb (fun kv ->
+    match local_in c (fst kv) with
+    | Some v -> eqb v (snd kv)
+    | None -> false) d
+
+(** val continues : reduction -> Uint63.t -> cube -> bool **)
+
+let continues c j c0 =
+  let i = c.entry_after j c0 in
+  if ltb0 i c.entries
+  then if eqb (c.follows i) (c.follows j)
+       then implies_cube c0 (c.states_of i)
+       else false
+  else false
+
+(** val spared :
+    reduction -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> Uint63.t
+    -> whole_rule -> cube -> whole_rule -> bool **)
+
+let spared c row_of j r c0 w =
+  if cannot_fire row_of r c0 w
+  then true
+  else if if eqb w.performed r.performed
+          then same_items w.items r.items
+          else false
+       then true
+       else if forallb (commutes row_of r.items c0) w.items
+            then if forallb (undisturbed row_of r.items c0) w.passages
+                 then forallb (continues c j) (outcomes row_of c0 w.items c0)
+                 else false
+            else false
+
+(** val touching : whole_rule list -> int -> whole_rule list **)
+
+let touching rules k =
+  filter (fun w -> touches w.items k) rules
+
+(** val guarding : whole_rule list -> int -> whole_rule list **)
+
+let guarding rules k =
+  filter (fun w ->
+    existsb (fun g -> if g.prior then existsb ((=) k) g.around else false)
+      w.passages) rules
+
+(** val by_slot :
+    system -> (int -> whole_rule list) -> int -> whole_rule list **)
+
+let by_slot y =
+  let n = length y.start in
+  (fun f ->
+  let rows = map f (seq 0 n) in
+  (fun k -> match nth_error rows k with
+            | Some l -> l
+            | None -> f k))
+
+(** val entry_ok :
+    system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+    list) -> (Uint63.t -> whole_rule option) -> (int -> whole_rule list) ->
+    (int -> whole_rule list) -> Uint63.t -> bool **)
+
+let entry_ok y c any row_of =
+  let n = length y.start in
+  (fun rule_at near around_of j ->
+  match rule_at (c.follows j) with
+  | Some r ->
+    let c0 = c.states_of j in
+    if if any then true else eqb r.performed tau
+    then if forallb (fun g -> negb g.prior) r.passages
+         then if forallb (sure y row_of c0) r.items
+              then if forallb (fun kv ->
+                        if Nat.ltb (fst kv) n
+                        then forallb (spared c row_of j r c0) (near (fst kv))
+                        else false) c0
+                   then forallb (fun it ->
+                          if forallb (spared c row_of j r c0)
+                               (near (item_slot it))
+                          then forallb (spared c row_of j r c0)
+                                 (around_of (item_slot it))
+                          else false) r.items
+                   else false
+              else false
+         else false
+    else false
+  | None -> false)
+
+(** val confluent_ok :
+    system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+    list) -> bool **)
+
+let confluent_ok y c any row_of =
+  let rules = rules_of_whole y in
+  let rule_at = element rules in
+  let near = by_slot y (touching rules) in
+  let around_of = by_slot y (guarding rules) in
+  all_below (entry_ok y c any row_of rule_at near around_of) c.entries
+
+(** val last_bits : ev -> Uint63.t **)
+
+let last_bits e =
+  land0 e (Uint63.of_int (15))
+
+(** val rows_by_event :
+    layout -> system -> int -> ev -> Uint63.t -> (ev * Uint63.t) list **)
+
+let rows_by_event l y =
+  let tables =
+    map (fun k ->
+      table (size_of l k) (fun v ->
+        let l0 = y.edges k v in
+        if Z.ltb (Z.of_nat (length l0)) (Zpos (XO (XO (XO XH))))
+        then (fun _ -> l0)
+        else let t =
+               table (Uint63.of_int (16)) (fun b ->
+                 filter (fun x -> eqb (last_bits (fst x)) b) l0)
+             in
+             (fun e -> t (last_bits e)))) (seq 0 (length (concat l.groups)))
+  in
+  (fun k e v ->
+  match nth_error tables k with
+  | Some f -> f v e
+  | None -> y.edges k v)
+
+(** val cube_state : cube -> int -> Uint63.t **)
+
+let cube_state c k =
+  match local_in c k with
+  | Some v -> v
+  | None -> (Uint63.of_int (0))
+
+(** val tests_of :
+    layout -> cube -> ((Uint63.t list -> Uint63.t) * Uint63.t) list **)
+
+let tests_of l c =
+  map (fun kv -> ((read_local l (fst kv)), (snd kv))) c
+
+(** val writes_of :
+    layout -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule
+    option -> cube -> (field * Uint63.t) list **)
+
+let writes_of l t r c =
+  match r with
+  | Some r0 ->
+    set_all (write_local l) (map (change_of t (cube_state c)) r0.items)
+  | None -> []
+
+(** val passes :
+    ((Uint63.t list -> Uint63.t) * Uint63.t) list -> Uint63.t list -> bool **)
+
+let passes tests x =
+  forallb (fun t -> eqb (fst t x) (snd t)) tests
+
+(** val lead_on :
+    layout -> system -> reduction -> Uint63.t list -> Uint63.t list **)
+
+let lead_on l y c =
+  let t = rows_by_event l y in
+  let rule_at = element (rules_of_whole y) in
+  let rows =
+    table c.entries (fun j -> ((tests_of l (c.states_of j)),
+      (writes_of l t (rule_at (c.follows j)) (c.states_of j))))
+  in
+  (fun x ->
+  fold_left (fun x0 j ->
+    if ltb0 j c.entries
+    then let row0 = rows j in
+         if passes (fst row0) x0
+         then fold_left write_field (snd row0) x0
+         else x0
+    else x0) (c.hint x) x)
+
+(** val unreduced : layout -> system -> bool -> Uint63.t list lts **)
+
+let unreduced l y = function
+| true -> hidden (packed l y)
+| false -> packed l y
+
+(** val reduced :
+    layout -> system -> reduction -> bool -> Uint63.t list lts **)
+
+let reduced l y c any =
+  let f = lead_on l y c in led f (unreduced l y any)
+
+(** val only_deadlocks : property -> bool **)
+
+let only_deadlocks = function
+| Deadlock_free -> true
+| _ -> false
+
 type shape = { merges : merging; packs : layout }
 
 (** val compact : shape -> system -> Uint63.t list lts **)
@@ -1497,19 +2168,41 @@ let compact h y =
 let shape_ok h y =
   (&&) (merging_ok h.merges y) (system_ok h.packs (merged h.merges y))
 
-(** val certify_refinement :
-    model -> shape -> system -> shape -> system -> normal_form -> Uint63.t
-    list evidence -> Uint63.t list pairs -> bool **)
+(** val searched :
+    bool -> shape -> reduction option -> system -> Uint63.t list lts **)
 
-let certify_refinement m hs spec hi impl n e p =
-  (&&) ((&&) (shape_ok hs spec) (shape_ok hi impl))
-    (check (compact hs spec) (compact hi impl) eq_words eq_words m n e p)
+let searched any h r y =
+  match r with
+  | Some r0 -> reduced h.packs (merged h.merges y) r0 any
+  | None -> compact h y
+
+(** val reduction_ok : bool -> shape -> reduction option -> system -> bool **)
+
+let reduction_ok any h r y =
+  match r with
+  | Some r0 ->
+    let z0 = merged h.merges y in
+    confluent_ok z0 r0 any (rows_by_event h.packs z0)
+  | None -> true
+
+(** val certify_refinement :
+    model -> shape -> system -> shape -> system -> reduction option ->
+    normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool **)
+
+let certify_refinement m hs spec hi impl r n e p =
+  (&&)
+    ((&&) ((&&) (shape_ok hs spec) (shape_ok hi impl))
+      (reduction_ok false hi r impl))
+    (check (compact hs spec) (searched false hi r impl) eq_words eq_words m n
+      e p)
 
 (** val certify_property :
-    property -> shape -> system -> Uint63.t list pairs -> bool **)
+    property -> shape -> system -> reduction option -> Uint63.t list pairs ->
+    bool **)
 
-let certify_property p hi impl p0 =
-  (&&) (shape_ok hi impl) (check_property (compact hi impl) eq_words p p0)
+let certify_property p hi impl r p0 =
+  (&&) ((&&) (shape_ok hi impl) (reduction_ok (only_deadlocks p) hi r impl))
+    (check_property (searched (only_deadlocks p) hi r impl) eq_words p p0)
 
 type term =
 | Offer of (ev * term) list
@@ -1550,9 +2243,9 @@ let new_names d r e =
         | [] -> e :: []
         | e0 :: l0 -> e0 :: l0)
 
-(** val hidden : definitions -> Uint63.t -> ev -> ev **)
+(** val hidden0 : definitions -> Uint63.t -> ev -> ev **)
 
-let hidden d a e =
+let hidden0 d a e =
   if within d a e then tau else e
 
 (** val rank : definitions -> Uint63.t -> ev -> Uint63.t option **)
@@ -1674,7 +2367,7 @@ let rec moves_of d bound p =
                both, x, x0)) l k)))
      | Hide (a, p0) ->
        on_one (go p0)
-         (map (fun m -> ((hidden d a (fst m)), (Hide (a, (snd m))))))
+         (map (fun m -> ((hidden0 d a (fst m)), (Hide (a, (snd m))))))
      | Rename (r, p0) ->
        on_one (go p0)
          (flat_map (fun m ->
@@ -1876,7 +2569,7 @@ let compile d x =
   | Beside (only_p, only_q, both, t0, u) ->
     beside events (alone d only_p) (alone d only_q) (together d both)
       (boxed events (compile0 t0)) (boxed events (compile0 u))
-  | Hidden (a, t0) -> relabel (fun e -> (hidden d a e) :: []) (compile0 t0)
+  | Hidden (a, t0) -> relabel (fun e -> (hidden0 d a e) :: []) (compile0 t0)
   | Renamed (r, t0) -> relabel (new_names d r) (compile0 t0)
   | Prioritised (o, t0) -> ranked_by (rank d o) (boxed events (compile0 t0))
   in compile0
@@ -1891,14 +2584,14 @@ let rec term_of x s = function
 | Renamed (r, t0) -> Rename (r, (term_of x s t0))
 | Prioritised (o, t0) -> Prioritise (o, (term_of x s t0))
 
-(** val leaves : tree -> int list **)
+(** val leaves0 : tree -> int list **)
 
-let rec leaves = function
+let rec leaves0 = function
 | Leaf k -> k :: []
-| Beside (_, _, _, t0, u) -> app (leaves t0) (leaves u)
-| Hidden (_, t0) -> leaves t0
-| Renamed (_, t0) -> leaves t0
-| Prioritised (_, t0) -> leaves t0
+| Beside (_, _, _, t0, u) -> app (leaves0 t0) (leaves0 u)
+| Hidden (_, t0) -> leaves0 t0
+| Renamed (_, t0) -> leaves0 t0
+| Prioritised (_, t0) -> leaves0 t0
 
 (** val row :
     definitions -> split -> int -> Uint63.t -> (ev * Uint63.t) list **)
@@ -1953,24 +2646,26 @@ let split_ok d x p =
       ((&&)
         (eq_term
           (term_of x (repeat (Uint63.of_int (0)) x.slots) x.whole_tree) p)
-        (forallb (fun k -> Nat.ltb k x.slots) (leaves x.whole_tree)))
-      (no_repetition (leaves x.whole_tree)))
+        (forallb (fun k -> Nat.ltb k x.slots) (leaves0 x.whole_tree)))
+      (no_repetition (leaves0 x.whole_tree)))
     (forallb (component_ok d x) (seq 0 x.slots))
 
 (** val certify_scripts :
     model -> script -> split -> shape -> script -> split -> shape ->
-    normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool **)
+    reduction option -> normal_form -> Uint63.t list evidence -> Uint63.t
+    list pairs -> bool **)
 
-let certify_scripts m spec xs hs impl xi hi n e p =
+let certify_scripts m spec xs hs impl xi hi r n e p =
   (&&)
     ((&&) (split_ok spec.defines xs spec.main)
       (split_ok impl.defines xi impl.main))
     (certify_refinement m hs (split_system spec.defines xs) hi
-      (split_system impl.defines xi) n e p)
+      (split_system impl.defines xi) r n e p)
 
 (** val certify_script :
-    property -> script -> split -> shape -> Uint63.t list pairs -> bool **)
+    property -> script -> split -> shape -> reduction option -> Uint63.t list
+    pairs -> bool **)
 
-let certify_script p impl xi hi p0 =
+let certify_script p impl xi hi r p0 =
   (&&) (split_ok impl.defines xi impl.main)
-    (certify_property p hi (split_system impl.defines xi) p0)
+    (certify_property p hi (split_system impl.defines xi) r p0)

@@ -45,6 +45,10 @@ module Pos :
 
   val pred_double : positive -> positive
 
+  val mul : positive -> positive -> positive
+
+  val iter : ('a1 -> 'a1) -> 'a1 -> positive -> 'a1
+
   val compare_cont : comparison -> positive -> positive -> comparison
 
   val compare : positive -> positive -> comparison
@@ -52,6 +56,8 @@ module Pos :
   val iter_op : ('a1 -> 'a1 -> 'a1) -> positive -> 'a1 -> 'a1
 
   val to_nat : positive -> int
+
+  val of_succ_nat : int -> positive
  end
 
 val tl : 'a1 list -> 'a1 list
@@ -74,6 +80,8 @@ val forallb : ('a1 -> bool) -> 'a1 list -> bool
 
 val filter : ('a1 -> bool) -> 'a1 list -> 'a1 list
 
+val find : ('a1 -> bool) -> 'a1 list -> 'a1 option
+
 val skipn : int -> 'a1 list -> 'a1 list
 
 val seq : int -> int -> int list
@@ -92,11 +100,21 @@ module Z :
 
   val add : z -> z -> z
 
+  val mul : z -> z -> z
+
+  val pow_pos : z -> positive -> z
+
+  val pow : z -> z -> z
+
   val compare : z -> z -> comparison
 
   val leb : z -> z -> bool
 
+  val ltb : z -> z -> bool
+
   val to_nat : z -> int
+
+  val of_nat : int -> z
  end
 
 val lsl0 : Uint63.t -> Uint63.t -> Uint63.t
@@ -104,6 +122,8 @@ val lsl0 : Uint63.t -> Uint63.t -> Uint63.t
 val lsr0 : Uint63.t -> Uint63.t -> Uint63.t
 
 val land0 : Uint63.t -> Uint63.t -> Uint63.t
+
+val lor0 : Uint63.t -> Uint63.t -> Uint63.t
 
 val add0 : Uint63.t -> Uint63.t -> Uint63.t
 
@@ -121,9 +141,17 @@ val is_zero : Uint63.t -> bool
 
 val is_even : Uint63.t -> bool
 
+val opp : Uint63.t -> Uint63.t
+
 val to_Z_rec : int -> Uint63.t -> z
 
 val to_Z : Uint63.t -> z
+
+val of_pos_rec : int -> positive -> Uint63.t
+
+val of_pos : positive -> Uint63.t
+
+val of_Z : z -> Uint63.t
 
 type 'a array = 'a Parray.t
 
@@ -162,6 +190,8 @@ type system = { edges : (int -> Uint63.t -> (ev * Uint63.t) list);
 type change = int * Uint63.t
 
 val nonempty : 'a1 list -> bool
+
+val before : rule -> Uint63.t -> bool
 
 val all_from :
   Uint63.t list -> (Uint63.t -> bool) -> Uint63.t -> Uint63.t -> bool
@@ -506,18 +536,193 @@ val slots_below : int -> region -> bool
 
 val merging_ok : merging -> system -> bool
 
+type item =
+| Performs of int * ev
+| Sets of int * Uint63.t
+
+val item_slot : item -> int
+
+type passage = { place : int list; inside : participant list;
+                 rivals : rule list; own : rule; around : int list;
+                 prior : bool }
+
+type whole_rule = { performed : ev; items : item list; passages : passage list }
+
+type way = item list * passage list
+
+val slots_of : region -> int list
+
+val can_be_prevented : rule list -> rule -> bool
+
+type source =
+| Of_slot of int
+| Of_region of whole_rule list
+
+val ways : source -> ev -> way list
+
+val pick : source list -> (int * ev) list -> way list
+
+val put_items : change list -> item list
+
+val whole_of :
+  int list -> participant list -> rule list -> int list -> source list ->
+  rule -> whole_rule list
+
+val whole_rules : region -> int list -> whole_rule list
+
+val led : ('a1 -> 'a1) -> 'a1 lts -> 'a1 lts
+
+val hidden : 'a1 lts -> 'a1 lts
+
+type cube = (int * Uint63.t) list
+
+val local_in : cube -> int -> Uint63.t option
+
+val put_in : cube -> int -> Uint63.t -> cube
+
+type reduction = { entries : Uint63.t; follows : (Uint63.t -> Uint63.t);
+                   states_of : (Uint63.t -> cube);
+                   entry_after : (Uint63.t -> cube -> Uint63.t);
+                   hint : (Uint63.t list -> Uint63.t list) }
+
+val same_item : item -> item -> bool
+
+val same_items : item list -> item list -> bool
+
+val same_path : int list -> int list -> bool
+
+val load : 'a1 list -> Uint63.t -> 'a1 array -> 'a1 array
+
+val element : 'a1 list -> Uint63.t -> 'a1 option
+
+val rules_of_whole : system -> whole_rule list
+
+val goal :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  Uint63.t
+
+val has_event :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  bool
+
+val determined :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  bool
+
+val has_target :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> ev -> Uint63.t ->
+  Uint63.t -> bool
+
+val does_item :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> int -> Uint63.t -> item
+  -> Uint63.t -> Uint63.t
+
+val effect :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> int ->
+  Uint63.t -> Uint63.t
+
+val touches : item list -> int -> bool
+
+val change_of :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> (int -> Uint63.t) ->
+  item -> change
+
+val sure :
+  system -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item
+  -> bool
+
+val impossible :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item -> bool
+
+val overrules : passage -> passage -> bool
+
+val cannot_fire :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule -> cube ->
+  whole_rule -> bool
+
+val own_items : item list -> int -> item list
+
+val commutes :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+  item -> bool
+
+val leaves :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube -> int
+  -> bool
+
+val undisturbed :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> item list -> cube ->
+  passage -> bool
+
+val outcomes :
+  (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> cube -> item list ->
+  cube -> cube list
+
+val implies_cube : cube -> cube -> bool
+
+val continues : reduction -> Uint63.t -> cube -> bool
+
+val spared :
+  reduction -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> Uint63.t ->
+  whole_rule -> cube -> whole_rule -> bool
+
+val touching : whole_rule list -> int -> whole_rule list
+
+val guarding : whole_rule list -> int -> whole_rule list
+
+val by_slot : system -> (int -> whole_rule list) -> int -> whole_rule list
+
+val entry_ok :
+  system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+  list) -> (Uint63.t -> whole_rule option) -> (int -> whole_rule list) ->
+  (int -> whole_rule list) -> Uint63.t -> bool
+
+val confluent_ok :
+  system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
+  list) -> bool
+
+val last_bits : ev -> Uint63.t
+
+val rows_by_event :
+  layout -> system -> int -> ev -> Uint63.t -> (ev * Uint63.t) list
+
+val cube_state : cube -> int -> Uint63.t
+
+val tests_of : layout -> cube -> ((Uint63.t list -> Uint63.t) * Uint63.t) list
+
+val writes_of :
+  layout -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> whole_rule
+  option -> cube -> (field * Uint63.t) list
+
+val passes :
+  ((Uint63.t list -> Uint63.t) * Uint63.t) list -> Uint63.t list -> bool
+
+val lead_on : layout -> system -> reduction -> Uint63.t list -> Uint63.t list
+
+val unreduced : layout -> system -> bool -> Uint63.t list lts
+
+val reduced : layout -> system -> reduction -> bool -> Uint63.t list lts
+
+val only_deadlocks : property -> bool
+
 type shape = { merges : merging; packs : layout }
 
 val compact : shape -> system -> Uint63.t list lts
 
 val shape_ok : shape -> system -> bool
 
+val searched :
+  bool -> shape -> reduction option -> system -> Uint63.t list lts
+
+val reduction_ok : bool -> shape -> reduction option -> system -> bool
+
 val certify_refinement :
-  model -> shape -> system -> shape -> system -> normal_form -> Uint63.t list
-  evidence -> Uint63.t list pairs -> bool
+  model -> shape -> system -> shape -> system -> reduction option ->
+  normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool
 
 val certify_property :
-  property -> shape -> system -> Uint63.t list pairs -> bool
+  property -> shape -> system -> reduction option -> Uint63.t list pairs ->
+  bool
 
 type term =
 | Offer of (ev * term) list
@@ -545,7 +750,7 @@ val within : definitions -> Uint63.t -> ev -> bool
 
 val new_names : definitions -> Uint63.t -> ev -> ev list
 
-val hidden : definitions -> Uint63.t -> ev -> ev
+val hidden0 : definitions -> Uint63.t -> ev -> ev
 
 val rank : definitions -> Uint63.t -> ev -> Uint63.t option
 
@@ -619,7 +824,7 @@ val compile : definitions -> split -> tree -> compiled
 
 val term_of : split -> Uint63.t list -> tree -> term
 
-val leaves : tree -> int list
+val leaves0 : tree -> int list
 
 val row : definitions -> split -> int -> Uint63.t -> (ev * Uint63.t) list
 
@@ -634,8 +839,10 @@ val no_repetition : int list -> bool
 val split_ok : definitions -> split -> term -> bool
 
 val certify_scripts :
-  model -> script -> split -> shape -> script -> split -> shape ->
-  normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool
+  model -> script -> split -> shape -> script -> split -> shape -> reduction
+  option -> normal_form -> Uint63.t list evidence -> Uint63.t list pairs ->
+  bool
 
 val certify_script :
-  property -> script -> split -> shape -> Uint63.t list pairs -> bool
+  property -> script -> split -> shape -> reduction option -> Uint63.t list
+  pairs -> bool

@@ -1,18 +1,19 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (* States and proves the theorem about certificates at the term level. *)
 From Coq Require Import List Bool Lia Uint63.
-From Certify Require Import Claims Terms Processes Certificate Packing Merging Program Splitting.
+From Certify Require Import Claims Terms Processes Certificate Packing Merging Confluence Program Splitting.
 
 (* Check a refinement between scripts and a property of a script. How the terms are split, and all that certify_refinement
    and certify_property need, may be any data. *)
 Definition certify_scripts (m : model) (spec : script) (Xs : split) (hs : shape) (impl : script) (Xi : split) (hi : shape)
-    (N : normal_form) (E : evidence (list int)) (P : pairs (list int)) : bool :=
+    (R : option reduction) (N : normal_form) (E : evidence (list int)) (P : pairs (list int)) : bool :=
   split_ok (defines spec) Xs (main spec) && split_ok (defines impl) Xi (main impl) &&
-  certify_refinement m hs (split_system (defines spec) Xs) hi (split_system (defines impl) Xi) N E P.
-Definition certify_script (p : property) (impl : script) (Xi : split) (hi : shape) (P : pairs (list int)) : bool :=
-  split_ok (defines impl) Xi (main impl) && certify_property p hi (split_system (defines impl) Xi) P.
+  certify_refinement m hs (split_system (defines spec) Xs) hi (split_system (defines impl) Xi) R N E P.
+Definition certify_script (p : property) (impl : script) (Xi : split) (hi : shape) (R : option reduction)
+    (P : pairs (list int)) : bool :=
+  split_ok (defines impl) Xi (main impl) && certify_property p hi (split_system (defines impl) Xi) R P.
 
-Theorem scripts_sound : forall m spec Xs hs impl Xi hi N E P, certify_scripts m spec Xs hs impl Xi hi N E P = true ->
+Theorem scripts_sound : forall m spec Xs hs impl Xi hi R N E P, certify_scripts m spec Xs hs impl Xi hi R N E P = true ->
   eventually (fun bound => refines m (term_lts bound spec) (term_lts bound impl)).
 Proof.
   unfold certify_scripts. intros. rewrite !andb_true_iff in H. destruct H as [[S I] H]. apply refinement_sound in H.
@@ -22,7 +23,7 @@ Proof.
   apply (refines_trans _ _ _ _ _ _ _ (proj2 (split_refines spec Xs S bound LS m))).
   exact (refines_trans _ _ _ _ _ _ _ H (proj1 (split_refines impl Xi I bound LI m))).
 Qed.
-Theorem script_property_sound : forall p impl Xi hi P, certify_script p impl Xi hi P = true ->
+Theorem script_property_sound : forall p impl Xi hi R P, certify_script p impl Xi hi R P = true ->
   eventually (fun bound => satisfies p (term_lts bound impl)).
 Proof.
   unfold certify_script. intros. apply andb_true_iff in H. destruct H as [I H]. apply property_sound in H.
@@ -31,8 +32,8 @@ Qed.
 
 (* Both theorems in one statement. *)
 Theorem script_sound :
-  (forall m spec Xs hs impl Xi hi N E P, certify_scripts m spec Xs hs impl Xi hi N E P = true ->
+  (forall m spec Xs hs impl Xi hi R N E P, certify_scripts m spec Xs hs impl Xi hi R N E P = true ->
     eventually (fun bound => refines m (term_lts bound spec) (term_lts bound impl))) /\
-  (forall p impl Xi hi P, certify_script p impl Xi hi P = true ->
+  (forall p impl Xi hi R P, certify_script p impl Xi hi R P = true ->
     eventually (fun bound => satisfies p (term_lts bound impl))).
 Proof. split; [ exact scripts_sound | exact script_property_sound ]. Qed.

@@ -495,7 +495,7 @@ let lies_accepted = ref 0 and files_accepted = ref 0
 
 let accepted_attack attempt =
   incr attacks;
-  match Certificate_check.guarded (fun () -> if attempt () then Certified { pairs = 0; nodes = 0; transitions = 0; components = 0; rules = 0 } else Refused "") with
+  match Certificate_check.guarded (fun () -> if attempt () then Certified { pairs = 0; nodes = 0; transitions = 0; components = 0; rules = 0; reduced = false } else Refused "") with
   | Certificate_check.Certified _ -> true
   | Refused "" -> false
   | Refused _ | Undecided _ -> incr unreadable; false
