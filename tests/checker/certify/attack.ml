@@ -583,7 +583,8 @@ let split_forges : (split -> split) list =
   let started x = { x with meaning = (fun k v -> if x.states k > 1 && v = 0 then x.meaning k 1 else x.meaning k v) } in
   (* Only the first state is checked; the others confuse their targets. *)
   let outside x = { x with states = (fun k -> min 1 (x.states k)); number_of = (fun k p -> let v = x.number_of k p in if v > 1 then 0 else v) } in
-  let emptied = salted (fun salt x -> { x with states = (fun k -> if hash salt k mod 2 = 0 then 0 else x.states k) }) in
+  (* Nothing is checked. *)
+  let emptied = salted (fun salt x -> { (confused x) with states = (fun k -> if hash salt k mod 2 = 0 then 0 else x.states k) }) in
   let short x = { x with enough = Random.int 4 } in
   let fewer x = { x with slots = max 0 (x.slots - 1) } in
   [ confused; smaller; other_meaning; stopped; deaf; without; one_side; other_sets; swapped; twice; first; started; emptied; outside; short; fewer ]
