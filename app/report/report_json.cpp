@@ -214,12 +214,13 @@ Json refused_json(const RefusedReport& refused) {
 Json certificate_json(const driver::CertificateReport& certificate) {
     if (certificate.folders.empty()) return {{"reason", certificate.reason}};
     Json json{{"level", "product"},
-              {"reduced", false},
+              {"reduced", !certificate.reduction.empty()},
               {"folders", certificate.folders},
               {"certified", certificate.certification == driver::Certification::certified}};
     if (certificate.certification == driver::Certification::certified) {
         json["pairs"] = certificate.pairs;
         json["components"] = certificate.components;
+        if (!certificate.reduction.empty()) json["reduction"] = certificate.reduction;
     } else {
         json["refused"] = certificate.certification == driver::Certification::refused;
         json["reason"] = certificate.reason;

@@ -47,8 +47,8 @@ std::string certifier_path() {
     return !code && std::filesystem::is_regular_file(beside, code) ? beside.string() : name;
 }
 
-/// Parses the answer of `robochart-certify --answer`, which is a word and then numbers or a reason. Adds it to the
-/// report.
+/// Parses the answer of `robochart-certify --answer`. It is a word, and then a reason, or numbers and the reduction (if
+/// the search was reduced). Adds the answer to the report.
 void add_answer(const std::string& answer, CertificateReport& report) {
     std::istringstream words(answer);
     std::string word;
@@ -58,6 +58,9 @@ void add_answer(const std::string& answer, CertificateReport& report) {
     if (word == "certified" && words >> pairs >> components) {
         report.pairs += pairs;
         report.components += components;
+        std::string reduction;
+        std::getline(words >> std::ws, reduction);
+        if (report.reduction.empty()) report.reduction = reduction;
         return;
     }
     std::string reason;
@@ -142,6 +145,12 @@ std::string counted(std::uint64_t number, const std::string& noun) {
     return fmt::format("{} {}{}", digits, noun, number == 1 ? "" : "s");
 }
 
+std::string pairs_text(const CertificateReport& report) {
+    const std::string pairs = counted(report.pairs, "pair");
+    if (report.reduction.empty()) return "unreduced, " + pairs;
+    return fmt::format("{}, reduced by {}", pairs, diagnostics::escape_for_display(report.reduction));
+}
+
 }  // namespace
 
 std::string certificate_text(const CertificateReport& report) {
@@ -155,8 +164,8 @@ std::string certificate_text(const CertificateReport& report) {
             return fmt::format("certificate {}, not checked: {}", folders,
                                diagnostics::escape_for_display(report.reason));
         case Certification::certified:
-            return fmt::format("holds (certified: product level, unreduced, {}, {}); certificate {}",
-                               counted(report.pairs, "pair"), counted(report.components, "component"), folders);
+            return fmt::format("holds (certified: product level, {}, {}); certificate {}", pairs_text(report),
+                               counted(report.components, "component"), folders);
         case Certification::refused:
             return fmt::format("certificate {}, REFUSED by robochart-certify: {}", folders,
                                diagnostics::escape_for_display(report.reason));

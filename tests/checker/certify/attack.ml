@@ -413,7 +413,11 @@ let forged_reduction overlooked (claim : Formats.claim) (plan : Certificate_chec
     let parts = List.sort_uniq compare (List.map item_slot r.items) in
     if not (candidate r) || List.length parts > 3 then []
     else begin
-      let parts = if overlooked = Unread then List.filter (fun _ -> Random.bool ()) parts else parts in
+      let performing k = List.exists (function Performs (j, _) -> j = k | Sets _ -> false) r.items in
+      let parts = match overlooked with
+        | Unread -> List.filter (fun _ -> Random.bool ()) parts
+        | Untracked -> List.filter performing parts
+        | _ -> parts in
       let beside = List.filter (fun k -> not (List.mem k parts) && Random.bool ()) (List.init count Fun.id) in
       let cubes = List.filter (fun c -> List.for_all (certain c) r.items) (joint (parts @ beside)) in
       List.map (fun c -> (n, c)) (largest r cubes)
