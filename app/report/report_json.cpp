@@ -216,13 +216,14 @@ Json refused_json(const RefusedReport& refused) {
 Json certificate_json(const driver::CertificateReport& certificate) {
     if (certificate.folders.empty()) return {{"reason", certificate.reason}};
     Json json{{"level", certificate.level},
-              {"reduced", false},
+              {"reduced", !certificate.reduction.empty()},
               {"folders", certificate.folders},
               {"certified", certificate.certification == driver::Certification::certified}};
     if (!certificate.why_product.empty()) json["why_product_level"] = certificate.why_product;
     if (certificate.certification == driver::Certification::certified) {
         json["pairs"] = certificate.pairs;
         json["components"] = certificate.components;
+        if (!certificate.reduction.empty()) json["reduction"] = certificate.reduction;
     } else {
         json["refused"] = certificate.certification == driver::Certification::refused;
         json["reason"] = certificate.reason;

@@ -48,8 +48,8 @@ std::string certifier_path() {
     return !code && std::filesystem::is_regular_file(beside, code) ? beside.string() : name;
 }
 
-/// Parses the answer of `robochart-certify --answer`, which is a word and then numbers or a reason. Adds it to the
-/// report.
+/// Parses the answer of `robochart-certify --answer`. It is a word, and then a reason, or numbers and the reduction (if
+/// the search was reduced). Adds the answer to the report.
 void add_answer(const std::string& answer, CertificateReport& report) {
     std::istringstream words(answer);
     std::string word;
@@ -59,6 +59,9 @@ void add_answer(const std::string& answer, CertificateReport& report) {
     if (word == "certified" && words >> pairs >> components) {
         report.pairs += pairs;
         report.components += components;
+        std::string reduction;
+        std::getline(words >> std::ws, reduction);
+        if (report.reduction.empty()) report.reduction = reduction;
         return;
     }
     std::string reason;
@@ -154,6 +157,12 @@ std::string counted(std::uint64_t number, const std::string& noun) {
     return fmt::format("{} {}{}", digits, noun, number == 1 ? "" : "s");
 }
 
+std::string pairs_text(const CertificateReport& report) {
+    const std::string pairs = counted(report.pairs, "pair");
+    if (report.reduction.empty()) return "unreduced, " + pairs;
+    return fmt::format("{}, reduced by {}", pairs, diagnostics::escape_for_display(report.reduction));
+}
+
 }  // namespace
 
 std::string certificate_text(const CertificateReport& report, std::string_view verdict) {
@@ -167,8 +176,8 @@ std::string certificate_text(const CertificateReport& report, std::string_view v
             return fmt::format("certificate {}, not checked: {}", folders,
                                diagnostics::escape_for_display(report.reason));
         case Certification::certified:
-            return fmt::format("{} (certified: {} level, unreduced, {}, {}{}); certificate {}", verdict, report.level,
-                               counted(report.pairs, "pair"), counted(report.components, "component"),
+            return fmt::format("{} (certified: {} level, {}, {}{}); certificate {}", verdict, report.level,
+                               pairs_text(report), counted(report.components, "component"),
                                report.why_product.empty()
                                    ? ""
                                    : fmt::format("; not at the term level, because {}",

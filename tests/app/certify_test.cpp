@@ -33,6 +33,19 @@ TEST(Certify, ReportsSayCertifiedOnlyWithTheLevel) {
     EXPECT_THAT(ran.out, Not(HasSubstr("proved")));
 }
 
+TEST(Certify, ReportsSayHowTheSearchWasReduced) {
+    const Ran ran =
+        run_with_answer("certified 8191 12 confluent taus", "\"$verify\" cspm s.csp --no-cache --certify certs");
+    EXPECT_THAT(ran.out,
+                HasSubstr("holds (certified: product level, 8,191 pairs, reduced by confluent taus, 12 components); "
+                          "certificate certs/1-P-FD-P\n"));
+    const Ran json = run_with_answer("certified 8191 12 confluent taus",
+                                     "\"$verify\" cspm s.csp --no-cache --certify certs --format json");
+    const nlohmann::json certificate = nlohmann::json::parse(json.out).at("results").at(0).at("certificate");
+    EXPECT_EQ(certificate.at("reduced"), true) << json.out;
+    EXPECT_EQ(certificate.at("reduction"), "confluent taus") << json.out;
+}
+
 TEST(Certify, JsonHasTheFigures) {
     const Ran ran = run_with_answer("certified 1 1", "\"$verify\" cspm s.csp --no-cache --certify certs --format json");
     const nlohmann::json certificate = nlohmann::json::parse(ran.out).at("results").at(0).at("certificate");

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (* robochart-certify: accepts or refuses certificates (docs/certificates.md). *)
 let usage =
-  "usage: robochart-certify [--quiet] [--max-pairs N] FOLDER...\n\
-  \       robochart-certify --answer CERTIFICATE\n\
+  "usage: robochart-certify [--quiet] [--max-pairs N] [--no-reduction] FOLDER...\n\
+  \       robochart-certify --answer [--max-pairs N] [--no-reduction] CERTIFICATE\n\
   \       robochart-certify --coq CERTIFICATE > File.v\n\
    Checks the certificates in the folders. Exit code 0: all are certified; 1: some are refused; 2: wrong use.\n"
 
@@ -46,14 +46,14 @@ let pairs_text (figures : Certificate_check.figures) =
   if figures.reduced then plural figures.pairs "pair" ^ ", reduced by confluent taus"
   else "unreduced, " ^ plural figures.pairs "pair"
 
-let decide ~most folder =
+let decide ~most ~reduce folder =
   match Formats.read_claim folder with
   | exception Formats.Unreadable why -> ("", "", Certificate_check.Refused why)
-  | claim -> (claim.source, Formats.level_of claim.implementation, Certificate_check.certify claim ~most)
+  | claim -> (claim.source, Formats.level_of claim.implementation, Certificate_check.certify claim ~reduce ~most)
 
 (* Prints the answer. Returns the level of an accepted certificate. *)
-let show ~most ~quiet folder =
-  let source, level, answer = decide ~most folder in
+let show ~most ~reduce ~quiet folder =
+  let source, level, answer = decide ~most ~reduce folder in
   let refuse why =
     Printf.printf "REFUSED    %s: %s%s\n%!" (printable folder)
       (if source = "" then "" else printable source ^ ": ")
@@ -70,11 +70,11 @@ let show ~most ~quiet folder =
   | Undecided why -> refuse ("not decided: " ^ why)
 
 (* Prints one line for programs: a word, and figures or the reason. *)
-let print_answer folder ~most =
+let print_answer folder ~most ~reduce =
   let line, code =
-    match decide ~most folder with
+    match decide ~most ~reduce folder with
     | _, _, Certificate_check.Certified figures ->
-        let reduced = if figures.reduced then " confluent-taus" else "" in
+        let reduced = if figures.reduced then " confluent taus" else "" in
         (Printf.sprintf "certified %d %d%s" figures.pairs figures.components reduced, 0)
     | _, _, Refused why -> ("refused " ^ printable why, 1)
     | _, _, Undecided why -> ("undecided " ^ printable why, 1)
@@ -82,10 +82,10 @@ let print_answer folder ~most =
   print_endline line;
   exit code
 
-let check_all paths ~most ~quiet =
+let check_all paths ~most ~reduce ~quiet =
   let folders = List.concat_map certificates_in paths in
   if folders = [] then wrong_use "there are no certificates";
-  let levels = List.filter_map (show ~most ~quiet) folders in
+  let levels = List.filter_map (show ~most ~reduce ~quiet) folders in
   let refused = List.length folders - List.length levels in
   Printf.printf "%s certified, %d refused\n" (grouped (List.length folders - refused)) refused;
   if not quiet then print_endline (trusted levels);
@@ -105,27 +105,31 @@ let () = Gc.set { (Gc.get ()) with space_overhead = 200 }
 
 type action = Check | Answer | Coq
 
+type options = { action : action; quiet : bool; most : int; reduce : bool }
+
 let () =
-  let rec read paths action quiet most = function
-    | [] -> (List.rev paths, action, quiet, most)
-    | "--coq" :: rest -> read paths Coq quiet most rest
-    | "--answer" :: rest -> read paths Answer quiet most rest
-    | "--quiet" :: rest -> read paths action true most rest
+  let rec read paths options = function
+    | [] -> (List.rev paths, options)
+    | "--coq" :: rest -> read paths { options with action = Coq } rest
+    | "--answer" :: rest -> read paths { options with action = Answer } rest
+    | "--quiet" :: rest -> read paths { options with quiet = true } rest
+    | "--no-reduction" :: rest -> read paths { options with reduce = false } rest
     | "--max-pairs" :: n :: rest -> (
         match int_of_string_opt n with
-        | Some n when n > 0 -> read paths action quiet n rest
+        | Some n when n > 0 -> read paths { options with most = n } rest
         | _ -> wrong_use "--max-pairs needs a number")
     | "--help" :: _ ->
         print_string usage;
         exit 0
     | word :: _ when word <> "" && word.[0] = '-' -> wrong_use (word ^ " is not an option")
     | "" :: _ -> wrong_use "a folder has a name"
-    | path :: rest -> read (path :: paths) action quiet most rest
+    | path :: rest -> read (path :: paths) options rest
   in
-  let paths, action, quiet, most = read [] Check false 20_000_000 (List.tl (Array.to_list Sys.argv)) in
+  let options = { action = Check; quiet = false; most = 20_000_000; reduce = true } in
+  let paths, { action; quiet; most; reduce } = read [] options (List.tl (Array.to_list Sys.argv)) in
   match (paths, action) with
   | [], _ -> wrong_use "which certificates?"
   | [ folder ], Coq -> print_theorem folder ~most
-  | [ folder ], Answer -> print_answer folder ~most
+  | [ folder ], Answer -> print_answer folder ~most ~reduce
   | _, (Coq | Answer) -> wrong_use "--coq and --answer take one certificate"
-  | _, Check -> check_all paths ~most ~quiet
+  | _, Check -> check_all paths ~most ~reduce ~quiet

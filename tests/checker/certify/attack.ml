@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (* Attacks on the certifier. Random processes, an oracle that is independent of the certifier, and certificates of claims
-   that fail: made by a search that overlooks violations, with forged normal forms, with functions that lie, with damaged
+   that fail: made by a search that overlooks violations, with forged normal forms and reductions, with functions that lie, with damaged
    files. None of them may be accepted; every true claim must be. attack SEED TRIALS *)
 open Verified
 
@@ -589,10 +589,109 @@ let split_forges : (split -> split) list =
   let fewer x = { x with slots = max 0 (x.slots - 1) } in
   [ confused; smaller; other_meaning; stopped; deaf; without; one_side; other_sets; swapped; twice; first; started; emptied; outside; short; fewer ]
 
+(** Reductions that follow steps which are not confluent. *)
+
+(* One condition that a forged reduction does not keep. *)
+type overlooked =
+  | Nothing | Visible_event | Later_level | Several_results | Not_enabled | Conflict | Disturbed_region | Left_cube | Other_event
+  | Other_place | Greater_level | Other_rule | Any_cube | Untracked | Unread
+
+let all_overlooked =
+  [ Nothing; Visible_event; Later_level; Several_results; Not_enabled; Conflict; Disturbed_region; Left_cube; Other_event; Other_place;
+    Greater_level; Other_rule; Any_cube; Untracked; Unread ]
+
+(* Returns a reduction whose entries keep all conditions but one: the largest such set for some rules and tracked
+   components. It follows each step for which it has an entry. *)
+let forged_reduction overlooked (claim : Formats.claim) (plan : Certificate_check.plan) =
+  let system = merged plan.shape.merges plan.process.system in
+  let row = rows_by_event plan.shape.packs system in
+  let any = claim.question = Formats.Property Deadlock_free in
+  let rules = Array.of_list (rules_of_whole system) in
+  let sizes = Array.of_list plan.process.sizes in
+  let count = Array.length sizes in
+  let rec joint = function [] -> [ [] ] | k :: rest -> List.concat_map (fun c -> List.init sizes.(k) (fun v -> (k, v) :: c)) (joint rest) in
+  let has k e v = List.exists (fun (d, _) -> d = e) (row k e v) in
+  let ready cube = function
+    | Performs (k, e) -> ( match List.assoc_opt k cube with Some v -> has k e v | None -> overlooked = Unread)
+    | Sets _ -> true in
+  let certain cube it =
+    if overlooked = Several_results then ready cube it
+    else match it with
+      | Performs (k, _) when overlooked = Not_enabled || (overlooked = Unread && not (List.mem_assoc k cube)) -> k < count
+      | _ -> sure system row cube it in
+  let candidate r =
+    List.for_all (fun it -> item_slot it < count) r.items
+    && (any || r.performed = 0 || overlooked = Visible_event)
+    && (overlooked = Later_level || not (List.exists (fun g -> g.prior) r.passages)) in
+  let overrule g h = match (g.own.level, h.own.level) with
+    | Some l, Some m -> (l < m || (overlooked = Greater_level && l <> m)) && (g.place = h.place || overlooked = Other_place)
+    | _ -> false in
+  let impossible cube = function Performs (k, e) -> (match List.assoc_opt k cube with Some v -> not (has k e v) | None -> false) | Sets _ -> false in
+  let stays r cube present w =
+    List.exists (impossible cube) w.items
+    || List.exists (fun h -> List.exists (fun g -> overrule g h) r.passages) w.passages
+    || (w.items = r.items && (w.performed = r.performed || overlooked = Other_event))
+    || (overlooked = Untracked && not (List.exists (fun it -> List.mem_assoc (item_slot it) cube) w.items))
+    || (overlooked = Conflict || List.for_all (commutes row r.items cube) w.items)
+       && (overlooked = Disturbed_region || List.for_all (undisturbed row r.items cube) w.passages)
+       && (List.mem overlooked [ Left_cube; Any_cube ] || List.for_all (fun o -> List.mem o present) (outcomes row cube w.items cube)) in
+  let rec largest r present =
+    let next = List.filter (fun cube -> Array.for_all (stays r cube present) rules) present in
+    if List.length next = List.length present then present else largest r next in
+  let entries_of n =
+    let r = rules.(n) in
+    let parts = List.sort_uniq compare (List.map item_slot r.items) in
+    if not (candidate r) || List.length parts > 3 then []
+    else begin
+      let performing k = List.exists (function Performs (j, _) -> j = k | Sets _ -> false) r.items in
+      let parts = match overlooked with
+        | Unread -> List.filter (fun _ -> Random.bool ()) parts
+        | Untracked -> List.filter performing parts
+        | _ -> parts in
+      let beside = List.filter (fun k -> not (List.mem k parts) && Random.bool ()) (List.init count Fun.id) in
+      let cubes = List.filter (fun c -> List.for_all (certain c) r.items) (joint (parts @ beside)) in
+      List.map (fun c -> (n, c)) (largest r cubes)
+    end in
+  let chosen = List.filter (fun _ -> Random.int 3 > 0) (List.init (min 30 (Array.length rules)) Fun.id) in
+  let entries = Array.of_list (List.concat_map entries_of chosen) in
+  let total = Array.length entries in
+  let index f = let rec from i = if i = total || f i then i else from (i + 1) in from 0 in
+  let fields = Follow.fields_of plan.shape.packs in
+  let unpack words = Array.map (fun (w, shift, bits) -> (List.nth words w lsr shift) land ((1 lsl bits) - 1)) fields in
+  let perform locals j =
+    let n, _ = entries.(j) in
+    let after = Array.copy locals in
+    List.iter (function Performs (k, e) -> after.(k) <- goal row k e locals.(k) | Sets (k, x) -> after.(k) <- x) rules.(n).items;
+    after in
+  let rec path locals left =
+    if left = 0 then []
+    else
+      let j = index (fun i -> List.for_all (fun (k, v) -> locals.(k) = v) (snd entries.(i))) in
+      if j = total then [] else j :: path (perform locals j) (left - 1) in
+  let longest = 1 + Random.int 6 in
+  { entries = total; follows = (fun j -> fst entries.(j)); states_of = (fun j -> snd entries.(j));
+    entry_after = (fun j cube ->
+      let fits i = List.for_all (fun (k, v) -> List.assoc_opt k cube = Some v) (snd entries.(i)) in
+      let same i = fst entries.(i) = fst entries.(j) in
+      index (fun i -> match overlooked with Other_rule -> fits i | Any_cube -> same i | _ -> fits i && same i));
+    hint = (fun words -> path (unpack words) longest) }
+
+(* A reduction that lies in some places. *)
+let lying_reduction (r : reduction) =
+  let salt = Random.bits () and rate = 1 + Random.int 6 in
+  let lie kind key honest other = if Hashtbl.hash (salt, kind, key) mod rate = 0 then other (abs (Hashtbl.hash (salt, key, kind, 1))) else honest in
+  let any n = n mod max 1 r.entries in
+  { r with follows = (fun j -> lie 1 j (r.follows j) (fun n -> n mod (r.follows j + 2)));
+    states_of = (fun j -> lie 2 j (r.states_of j) (fun n -> match r.states_of (any n) with _ :: rest when n mod 3 = 0 -> rest | c -> c));
+    entry_after = (fun j c -> lie 3 (j, c) (r.entry_after j c) any);
+    hint = (fun w -> lie 4 w (r.hint w) (fun n -> any n :: r.hint w)) }
+
+let reductions = ref 0 and forged_accepted = ref 0
+
 let attack_question seed trial question spec_text impl_text truth =
   let claim = claim_of question spec_text impl_text in
   (match Certificate_check.certify claim ~most with
-  | Certified _ -> if truth then incr held else report_wrong "an honest search" seed trial
+  | Certified figures -> if figures.reduced then incr reductions; if truth then incr held else report_wrong "an honest search" seed trial
   | Refused why | Undecided why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
   let attempt forge tell () =
     let proof, _, _ = Certificate_check.prove ~lenient:true ~forge claim ~most in
@@ -602,6 +701,18 @@ let attack_question seed trial question spec_text impl_text truth =
     let walk = Search.new_walk (Certificate_check.width plan.shape) in
     let pairs = Search.pairs_on_the_way walk plan.choose ~ordered:plan.task.forbid_cycles ~most in
     try Certificate_check.accepted (tell (plan.completed pairs)) with Search.Loop_of_taus -> false in
+  let reduced reduction () =
+    let plan = Certificate_check.plan_of claim ~most in
+    let _, _, accepts = Certificate_check.check_on_the_way ~reduction plan ~most in
+    accepts in
+  let plan = Certificate_check.plan_of claim ~most in
+  List.iter (fun overlooked ->
+    let reduction = forged_reduction overlooked claim plan in
+    let judge what reduction = if accepted_attack (reduced reduction) then if truth then incr forged_accepted else report_wrong what seed trial in
+    if reduction.entries > 0 then begin
+      judge "a forged reduction" reduction;
+      judge "a lying reduction" (lying_reduction reduction)
+    end) all_overlooked;
   List.iter (fun forge ->
     if accepted_attack (attempt forge Fun.id) && not truth then report_wrong "a forged normal form" seed trial;
     if accepted_attack (on_the_way forge Fun.id) && not truth then report_wrong "a walk" seed trial;
@@ -657,6 +768,6 @@ let () =
     let term t = (script_text t, Of_term (t.root, term_steps (Array.get t.bodies))) in
     attack_both (term spec) (term impl)
   done;
-  Printf.printf "%d trials: %d claims hold, %d fail; %d attacks (%d could not be read, %d lies and %d damaged files that still hold); %d wrongly accepted, %d wrongly refused\n"
-    trials !held !failed !attacks !unreadable !lies_accepted !files_accepted !wrong !lost;
-  exit (if !wrong = 0 && !lost = 0 && !held > 0 && !failed > 0 then 0 else 1)
+  Printf.printf "%d trials: %d claims hold, %d fail; %d attacks (%d could not be read, %d lies and %d damaged files that still hold, %d forged reductions of claims that hold); %d certificates reduced; %d wrongly accepted, %d wrongly refused\n"
+    trials !held !failed !attacks !unreadable !lies_accepted !files_accepted !forged_accepted !reductions !wrong !lost;
+  exit (if !wrong = 0 && !lost = 0 && !held > 0 && !failed > 0 && !reductions > 0 then 0 else 1)
