@@ -19,8 +19,8 @@ namespace {
 using cspm::Assertion;
 using cspm::AssertionKind;
 
-/// Returns the claim of the assertion in the words of a certificate. Returns no value if no certificates exist for
-/// assertions of this kind.
+/// Returns the text that states the claim of the assertion in a certificate. Returns no value if certificates do not
+/// support this kind of assertion.
 std::optional<std::string> claim_words(const Assertion& assertion) {
     const bool divergence =
         assertion.model == cspm::Model::none || assertion.model == cspm::Model::failures_divergences;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes certificates of assertions that hold (docs/certificates.md). A certificate contains the claim and the compiled
-// processes that the claim is about, without reductions. A separate program, which was proved correct in Coq, finds the
-// proof in the certificate or rejects the certificate (checker/certify/certifier). Its result does not depend on the
-// correctness of this code.
+// Writes certificates of assertions that hold (docs/certificates.md). A certificate contains a claim and the compiled,
+// unreduced processes of that claim. A separate program, which is proved correct in Coq, searches them for a proof and
+// accepts or rejects the certificate (checker/certify/certifier). Errors in this code cannot make it accept a false
+// claim.
 #pragma once
 
 #include <cstddef>
@@ -27,18 +27,18 @@ struct CertificateResult {
     std::string reason;  ///< "" if there is a certificate
 };
 
-/// Compiles the processes of an assertion again, without minimisation, and returns its certificate. Does not check that
-/// the assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
+/// Compiles the processes of an assertion again, without minimisation, and returns a certificate. Does not check that
+/// the assertion holds. The certificate quotes `source`, which names the claim and its place. Throws evaluation errors.
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
                                                  const std::string& source, const refine::Limits& limits);
 
-/// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
-/// files. So an incomplete folder of a run that was stopped is not taken for a certificate. Returns "" on success, and
-/// the cause of the failure otherwise.
+/// Writes a certificate to a folder below `root`. The claim contains the digests of the other files and is written
+/// last. So if a run is stopped, its incomplete folder cannot pass as a certificate. Returns "" on success, and the
+/// cause of the failure otherwise.
 [[nodiscard]] std::string write_certificate(const std::string& root, const std::string& folder,
                                             const Certificate& certificate, diagnostics::Budget* budget);
 
-/// Returns the name of a certificate's folder. It consists of the number, and of the letters and digits of the title.
+/// Returns the name for the folder of a certificate: the number, and the letters and digits of the title.
 [[nodiscard]] std::string folder_name(const std::string& number, const std::string& title);
 
 }  // namespace robochart::certify
