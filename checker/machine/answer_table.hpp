@@ -34,9 +34,9 @@ private:
         std::uint32_t query = none;  ///< `none` if the entry is free
         std::uint32_t answer = 0;
     };
-    static constexpr std::size_t least = 1024;  ///< minimal number of entries; their number is a power of two
+    static constexpr std::size_t least = 1024;  ///< minimal number of entries; this number is always a power of two
 
-    /// Returns the index of the entry, or of a free entry for the key. At least a quarter of the entries is free.
+    /// Returns the index of the entry for the key, or of a free entry. A quarter of the table is always free.
     [[nodiscard]] std::size_t entry_index(std::uint32_t query, std::uint64_t key) const {
         const std::size_t mask = entries_.size() - 1;
         assert(query != none && (entries_.size() & mask) == 0 && size_ < entries_.size());
