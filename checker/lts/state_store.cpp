@@ -121,7 +121,7 @@ std::uint64_t StateStore::bytes() const {
 }
 
 /// Assumes that two thirds of the table are used, so that each state takes 8 bytes there. A new chunk is as large as
-/// all chunks before it. The result does not count a last chunk of which less than half would be used.
+/// all chunks before it. If less than half of the last chunk would be used, the result does not include it.
 std::uint64_t StateStore::most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more) {
     constexpr std::uint64_t fewest = 64, most = std::uint64_t{1} << 31U, place = 8;
     const std::uint64_t states = std::min(bytes / (width * sizeof(Word) + place + more), most);

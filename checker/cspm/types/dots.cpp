@@ -135,7 +135,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
     if (given == TypeKind::variable && a.size() == 2 && !has_kind(argument, TypeKind::dotable)) {
-        // The variable stands for the arguments that the head of `a` needs, and for the parts of `b` after the result.
+        // The variable represents the arguments that the head of `a` needs, and the parts of `b` after the result.
         Parts all;
         const TypeId end = store_.split(first, all);
         Parts rest = evaluate(b, Match::longest);
