@@ -19,13 +19,13 @@ struct CertifiedClaim {
     std::vector<const cspm::Decl*> assertions;  ///< all of them hold, and together they are the claim
 };
 
-/// Writes a certificate for each assertion of a claim that holds, to the folder that the settings name. If one
-/// assertion has no certificate, no certificate is written. If the program robochart-certify is in the folder of this
-/// program or in PATH, the function then runs it to check the certificates.
+/// Writes a certificate for each assertion of a claim that holds, into the folder that the settings name. Writes none
+/// if one assertion has no certificate. Then checks them with robochart-certify, if this program is in the folder of
+/// the current one or in PATH.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
-/// Returns an error message if the folder contains files. Returns "" if the folder is empty or does not exist. This
-/// check prevents certificates of earlier runs from being taken for certificates of this run.
+/// Returns an error message if the folder contains files, and "" if it is empty or does not exist. Otherwise
+/// certificates of earlier runs could be mistaken for those of this run.
 [[nodiscard]] std::string why_not_empty(const std::string& folder);
 
 /// Returns one line about the certificates. The line contains "certified" and the level only if robochart-certify has
