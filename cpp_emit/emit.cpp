@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emits one component: resolves it, rejects unsupported constructs, writes its files.
+// Emits one component: resolves it, rejects what is not supported, and writes its files.
 #include "cpp_emit/emit.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::size_t max_state_bytes = 64U << 10U;
 
-/// Returns whether the exploration interface can be written. Reports an error if it is required and cannot be written.
+/// Returns true if the exploration interface can be written. Reports an error if it cannot but is required.
 bool check_explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     if (generation.options.tracked_scale > 0) return true;  // its numbers have no carriers
@@ -90,7 +90,7 @@ std::string Generation::round_test() const {
 
 namespace {
 
-/// Reports a state of more than max_state_bytes, with its largest list and the option that limits this list.
+/// Reports a state of more than max_state_bytes. Names its largest list and the option that limits this list.
 void report_large_state(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     const auto size_of = [&](const StoredVariable& stored) {
@@ -109,7 +109,7 @@ void report_large_state(const Generation& generation, diagnostics::Diagnostics& 
                        {component.name, text});
 }
 
-/// Returns the options with the capacities of the mapping. If both give a capacity, the greater one is used.
+/// Returns the options with the capacities from the mapping. If both specify a capacity, uses the greater one.
 Options with_mapped_capacities(const Options& options) {
     Options result = options;
     if (options.mapping == nullptr) return result;

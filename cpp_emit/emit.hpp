@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the shared IR to C++ controllers. They have the founding paper's classes (Li et al., 2017) over a core with
-// value-type state and a step function that runs to quiescence. The generator does not use the CSP semantics.
+// Converts the shared IR to C++ controllers. Users see the classes of the founding paper (Li et al., 2017). These call
+// a core: its state is a value, and its step runs until no transition is enabled. The CSP semantics are not used.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace robochart::cpp_emit {
 
-/// Emits the controller of one state machine, controller or module. `component` is the path as in ir::ComponentRef
-/// ("AggregationFSM", "AggregationModule"). Constructs that have no translation to C++ are rejected by name.
+/// Emits the controller of one state machine, controller or module. `component` is a path as in ir::ComponentRef
+/// ("AggregationFSM", "AggregationModule"). Names each construct that has no translation to C++ and rejects it.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                             const Options&, diagnostics::Diagnostics&);
 

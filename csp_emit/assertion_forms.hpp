@@ -25,15 +25,15 @@ namespace robochart::csp_emit {
 [[nodiscard]] cspm::DeclPtr never_terminates(const cspm::ExprPtr& process);
 /// Returns `P; RUN({event})`: after P has terminated, `event` stays possible forever.
 [[nodiscard]] cspm::ExprPtr running_on(const cspm::ExprPtr& process, const std::string& event);
-/// Asserts `SKIP [T= P`: P performs no event except ✓. The negation means that it performs one. RoboTool's
-/// specification is STOP, which also forbids ✓, so that every state of a terminating machine seems reachable.
+/// Asserts `SKIP [T= P`: P performs no event except ✓. If `negated`, asserts that P performs one. RoboTool's
+/// specification STOP also forbids ✓; with it, every state of a terminating machine seems to be reachable.
 [[nodiscard]] cspm::DeclPtr never_performs(const cspm::ExprPtr& process, bool negated);
 
 /// Returns the effects of a component on its platform: its calls, outputs, and writes of variables that others share.
 [[nodiscard]] std::vector<cspm::ExprPtr> outputs_of(const Provenance&, const std::string& path);
 
-/// RoboSim: returns the channels of the registers of a component, and the end of its execution. The result is empty for
-/// other components.
+/// RoboSim: returns the channels of a component's registers, and the end of its execution. Returns an empty list for
+/// components of RoboChart.
 [[nodiscard]] std::vector<cspm::ExprPtr> cycle_events_of(const Provenance&, const std::string& path);
 
 /// A copy of a machine that an assertion watches.
@@ -47,13 +47,13 @@ struct WatchedCopy {
     /// Returns the copy with these arguments, in which all events except one are hidden.
     [[nodiscard]] cspm::ExprPtr only_event(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
 };
-/// Returns a copy that performs `unset__` when a guard reads the clock before its first reset, and `reset__` at a
-/// reset. `machine` is the path of an emitted machine. The module's name ends in `purpose`. The function adds the
-/// meaning of the copy's names to the provenance of `emitted`.
+/// Returns a copy of an emitted machine that performs `reset__` when a clock is reset, and `unset__` when a guard reads
+/// a clock before its first reset. `machine` is the path of the machine. The name of the copy's module ends in
+/// `purpose`. Adds the meaning of the new names to the provenance of `emitted`.
 [[nodiscard]] WatchedCopy clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& clock, const std::string& purpose);
-/// Returns a copy of a machine that shows whether it is in `state` when it offers an event (MachineContext::offered).
-/// If `state` is null, the machine counts as inside until it ends.
+/// Returns a copy of a machine. When it offers an event, it shows whether it is in `state` (MachineContext::offered).
+/// With `state` null, it counts as inside until it ends.
 [[nodiscard]] WatchedCopy offer_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& event, const ir::Node* state, const std::string& purpose);
 /// Returns a process that performs `missed__` if and only if `event` can be missed for `units` time units by a copy

@@ -11,8 +11,8 @@
 
 namespace robochart::csp_emit {
 
-/// Returns one obligation for each property that is decided in this semantics. Obligations may add declarations with
-/// unique names to the script. The meanings of these names are added to the provenance.
+/// Returns an obligation for each property that is decided in this semantics. An obligation may need new declarations,
+/// which get unique names. Their meanings are added to the provenance.
 [[nodiscard]] std::vector<Obligation> make_obligations(const Project&, NameManager&, Emitted&);
 /// RoboSim: the names of cycles without a length.
 [[nodiscard]] std::set<std::string> open_cycles(const ir::System&);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects the claims that CSP blocks make as assert lines. Reports errors in claims about processes of blocks, if the
-// errors can be found without a search.
+// Collects the claims in CSP blocks, which are assert lines. Reports errors in claims about processes of blocks if they
+// can be found without a search.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace robochart::csp_emit {
 
-/// Returns one obligation for each assert line among these declarations. The lines are not changed. The declarations
-/// must not contain other assertions.
+/// Returns one obligation for each assert line in these declarations, without changing the lines. The declarations must
+/// contain no other assertions.
 [[nodiscard]] std::vector<Obligation> block_obligations(const Project&, const std::vector<cspm::DeclPtr>& decls);
 
 /// The declarations of the blocks of each assertion file, by its path.

@@ -13,10 +13,10 @@
 
 namespace robochart::csp_emit {
 
-/// If a block gives different values to a machine's own constant and to the constant of a part, reports which name
-/// determines the value (RC-C17). Rejects a block that gives two parts different values and does not define the
-/// machine's own constant (RC-C18), because RoboTool's scripts have a single constant for both. Returns the parts'
-/// constants that a block defines without effect.
+/// Reports a block that gives a machine's own constant and the constant of a part different values (RC-C17); the
+/// message says which name determines the value. Rejects a block that gives two parts different values without defining
+/// the machine's own constant (RC-C18): RoboTool's scripts have only one constant for both. Returns the constants of
+/// parts that a block defines without effect.
 std::set<std::string> check_names_of_constants(const Project&,
                                                const std::map<std::string, std::vector<BlockDefinition>>&);
 

@@ -12,8 +12,8 @@
 
 namespace robochart::csp_emit {
 
-/// Calls `visit` for the expressions and all their parts. Follows the names of definitions outside components, and
-/// visits each definition once.
+/// Calls `visit` for each expression and each of its parts. Also visits the definitions of their names, once each,
+/// unless they are inside a component.
 void visit_named(const Emission&, const std::vector<cspm::ExprPtr>&,
                  const std::function<void(const cspm::ExprPtr&)>& visit);
 

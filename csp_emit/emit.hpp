@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the shared IR to its CSP semantics: a CSPM syntax tree, which both FDR and our checker can read. Names and
-// alphabets are RoboTool's (docs/semantics.md). The structure is our own: each machine is one sequential process whose
-// parameters are its variables and clocks.
+// Converts the shared IR to its CSP semantics: a CSPM syntax tree that both FDR and our checker can read. Names and
+// alphabets are those of RoboTool (docs/semantics.md). The structure is different: each machine is one sequential
+// process, with its variables and clocks as parameters.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@
 
 namespace robochart::csp_emit {
 
-/// Emits all components of the system for one semantics (untimed or timed). The CSPM reader parses CSP blocks, and
-/// reports their syntax errors at the place in the .assertions file. Constructs without CSP semantics are reported by
-/// name.
+/// Emits all components of the system for one semantics (untimed or timed). The CSPM reader parses the CSP blocks
+/// and reports syntax errors at their places in the .assertions file. Names each construct that has no CSP
+/// semantics.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, Time, const Options&,
                             diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

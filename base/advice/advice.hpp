@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explains probable mistakes: forms of other notations, and incomplete forms. Each language has a table of such
-// mistakes.
+// Explains probable mistakes: notation of other languages, and incomplete forms. Each language has a table of
+// them.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace robochart::diagnostics {
 /// the correct form.
 struct Advice {
     std::string_view expected;  ///< what the parser expected, in the words of its message; "" for any
-    /// The tokens around the error, separated by blanks. `@` marks the place of the error: the token after `@` is the
-    /// one that the parser found. `NAME` represents any name that is not reserved, `NUMBER` a number, `TEXT` a string,
-    /// and `END` the end of the text.
+    /// The tokens around an error, separated by blanks. The token after `@` is the one that the parser found there.
+    /// `NAME` matches any name that is not reserved, `NUMBER` a number, `TEXT` a string, and `END` the end of the
+    /// text.
     std::string_view words;
     std::string_view advice;  ///< a sentence without a full stop
 };

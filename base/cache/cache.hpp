@@ -15,15 +15,15 @@ namespace robochart::diagnostics {
 
 class Cache {
 public:
-    /// `program` identifies the program that writes the entries: a program does not find the entries of other programs.
-    /// The folder is created if it does not exist. It is not used if it belongs to another user or if others may write
-    /// to it.
+    /// `program` identifies the program that writes the entries; other programs do not find them. Creates the
+    /// folder if it does not exist. Does not use a folder that belongs to another user or that others may write
+    /// to.
     Cache(std::string folder, std::string program, std::uint64_t most_bytes);
 
     /// Returns the entry of this key, if there is one. A damaged entry is removed and not returned.
     [[nodiscard]] std::optional<std::string> find(const Digest& key);
-    /// Stores an entry. It is no error if the entry cannot be written, because the cache only saves time. An entry
-    /// larger than a quarter of a folder's share is not stored.
+    /// Stores an entry. If this fails, nothing is reported, because the cache only saves time. Does not store an entry
+    /// that is larger than a quarter of a folder's share.
     void store_entry(const Digest& key, std::string_view content);
 
 private:

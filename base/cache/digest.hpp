@@ -15,8 +15,8 @@ namespace robochart::diagnostics {
 /// practice.
 using Digest = std::array<std::uint8_t, 32>;
 
-/// Computes the digest of several parts. It includes the lengths of the parts, so it depends on the boundaries between
-/// them.
+/// Computes the digest of several parts. The length of each part is hashed, too: "ab", "c" and "a", "bc" have different
+/// digests.
 class Hasher {
 public:
     Hasher();

@@ -47,12 +47,12 @@ public:
     Budget(const Budget&) = delete;
     Budget& operator=(const Budget&) = delete;
 
-    /// Every loop whose length depends on the input must call this function; any thread may call it. It checks the
-    /// limits in every 16th call, and in every call after a limit was reached. Throws LimitReached.
+    /// Every loop whose length depends on the input must call this function. Any thread may call it. It checks the
+    /// limits in every 16th call, and in all calls after a limit was reached. Throws LimitReached.
     void poll() override {
         const std::uint32_t calls = calls_.load(std::memory_order_relaxed) + 1;
-        // If another thread calls this function at the same time, its call may not be counted. Then the limits are
-        // checked less often.
+        // A call of another thread at the same time may not be counted. The only effect is that the limits are checked
+        // less often.
         calls_.store(calls, std::memory_order_relaxed);
         if (stopped_.load(std::memory_order_relaxed) || (calls & 15U) == 0) check();
     }
@@ -83,8 +83,8 @@ public:
         std::string before_;
     };
 
-    /// Registers a temporary file, a temporary folder or a process group during its lifetime. If the run cannot end
-    /// normally, `release_resources` removes the file or folder or ends the processes.
+    /// While it exists, a temporary file, a temporary folder or a process group is registered. If the run cannot end
+    /// normally, `release_resources` removes the file or folder, or ends the processes.
     class Held {
     public:
         Held(Budget* budget, std::string path);

@@ -13,8 +13,8 @@
 
 namespace robochart::diagnostics {
 
-/// The files of a folder by path, and the subfolders that cannot be read, with the cause for each. Names that begin
-/// with a dot are skipped, and links to folders are not followed.
+/// The files below a folder, by path, and the subfolders that cannot be read, with the reasons. Skips names that begin
+/// with a dot. Does not follow links to folders.
 struct FilesBelow {
     std::vector<std::string> files;
     std::vector<std::pair<std::string, std::string>> unreadable;

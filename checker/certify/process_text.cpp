@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes processes for certificates. The state "off" of a component becomes one more state without transitions.
+// Writes processes for certificates. A component that is off is written as a further state without transitions.
 #include "checker/certify/process_text.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 using lts::Event;
 using process::EventSet;
 
-/// In every certificate, tau and tick have these numbers; other events are numbered by their place in the list.
+/// Tau and tick have these numbers in every certificate. The other events are numbered in the order of the list.
 constexpr std::uint32_t tau_number = 0, tick_number = 1, first_number = 2;
 
 class Writer {
@@ -44,7 +44,7 @@ public:
     void begin_component(std::size_t states, std::size_t initial, const std::string& name) {
         result_.text += fmt::format("component {} {} {}\n", states, initial, one_line(name));
     }
-    /// Adds the transitions of one state. They are written in ascending order without duplicates.
+    /// Adds the transitions of one state, in ascending order and without duplicates.
     void add_row(std::vector<std::pair<Event, std::uint32_t>> row) {
         budget_.poll();
         for (auto& [event, target] : row) event = number_of(event);
@@ -104,8 +104,8 @@ void write_region(const machine::Supercombinator& process, std::size_t index, Wr
         std::vector<std::pair<std::uint32_t, Event>> requirements{requirement(rule.lead)};
         for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
             requirements.push_back(requirement(region.requirements[i]));
-        // The certifier begins with the first requirement. It finds the transitions of regions more slowly than those
-        // of components, so the requirements of regions come first.
+        // For speed: the certifier starts with the transitions of the first requirement and finds those of regions more
+        // slowly, so regions come first.
         std::stable_partition(requirements.begin(), requirements.end(),
                               [&](const auto& one) { return region.participants[one.first].is_region; });
         const auto first = region.assignments.begin();
@@ -125,7 +125,7 @@ void write_component(const machine::Component& component, machine::Local initial
     }
 }
 
-/// Returns the name of a component, which is the text of its initial state if that is short.
+/// Returns the text of the component's initial state if it is short. Otherwise returns the number of the slot.
 std::string component_name(const machine::Component& component, std::size_t slot, const process::TermStore& terms) {
     constexpr std::size_t longest = 100;
     const std::string name = component.size() == 0 ? "" : process::describe(terms, component.term_of(0));
@@ -164,7 +164,7 @@ lts::Graph explored_graph(lts::TransitionSystem& system, diagnostics::Pollable& 
 std::string one_line(const std::string& text) {
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
     std::string result;
-    bool gap = false;  // whether spaces are left out, because a control character precedes them
+    bool gap = false;  // true while spaces are dropped after a control character
     for (const char c : text) {
         if (is_control(c) && !gap) result += ' ';
         gap = is_control(c) || (gap && c == ' ');

@@ -20,15 +20,15 @@ struct ProcessText {
     std::size_t rules = 0;
 };
 
-/// A process that is not compiled is written as one component with all its states. If it has more states than this, it
-/// cannot be written.
+/// The maximal number of states of a process that is not compiled. Such a process is written as one component, and
+/// cannot be written if it has more states.
 inline constexpr std::size_t most_explicit_states = 200'000;
 
 /// Returns the text in one line: a space replaces each group of control characters and the spaces after it.
 [[nodiscard]] std::string one_line(const std::string& text);
 
-/// Returns the text of the process. Its components are named by their terms. Returns no value if it is not compiled and
-/// has too many states to be one component. Polls the budget, and passes on the exceptions of the process.
+/// Returns the text of the process. Components are named by their terms. Returns no value for a process that is not
+/// compiled and has too many states. Polls the budget. Throws the exceptions of the process.
 [[nodiscard]] std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
                                                       diagnostics::Pollable& budget);
 

@@ -22,8 +22,8 @@ constexpr std::size_t most_specification_states = 20'000;
 
 struct GivesUp {};
 
-/// Returns the whole graph of a system that is not compiled. Returns no value if the graph is large, or if the
-/// evaluation of some state fails.
+/// Returns the graph of a system that is not compiled. Returns no value if the exploration finds too many states, takes
+/// longer than `longest`, or fails.
 std::optional<lts::Graph> explore_whole(lts::TransitionSystem& system, diagnostics::Pollable& budget,
                                         const std::optional<std::chrono::milliseconds>& longest) {
     const auto start = std::chrono::steady_clock::now();
@@ -109,8 +109,8 @@ QuestionKey key_of_packed(const Question& question, const Script& script, const 
 
 namespace {
 
-/// Returns true if `names` contains all events of the findings. It does not contain the events that a linked parallel
-/// creates for its links, because these events belong to no channel.
+/// Returns true if `named` contains all events of the findings. The events that a linked parallel creates for its links
+/// are missing in `named`, because they belong to no channel.
 bool all_named(const refine::Findings& findings, const process::EventSet& named) {
     if (!findings.violation) return true;
     const auto known = [&](process::Event event) { return std::ranges::binary_search(named, event); };
@@ -131,7 +131,7 @@ refine::Verdict check_with_memory(const Question& question, const QuestionKey& k
         try {
             return ask(&findings);
         } catch (const std::logic_error&) {
-            // The stored violation does not belong to this process, so a search is needed.
+            // The stored violation is not one of this process, so a search is needed.
             findings.reset();
         }
     }

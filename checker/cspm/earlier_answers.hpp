@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores the answers of checks in a cache for later runs. An assertion is identified by the content of its compiled
-// processes. So its answer stays valid after every edit of the script that does not change these processes.
+// Stores the answers of checks in a cache for later runs. The content of its compiled processes identifies an
+// assertion. So an answer stays valid after edits of the script that do not change these processes.
 #pragma once
 
 #include <chrono>
@@ -26,40 +26,40 @@ struct Question {
     bool reduction = false;  ///< whether the search may skip states, which changes its statistics
 };
 
-/// The key of a check in the cache, and the events with which its answer is encoded.
+/// The cache key of a check, and the events that its encoded answer may refer to.
 struct QuestionKey {
     diagnostics::Digest digest;
     process::EventSet named;
 };
 
-/// Returns the key of a check on compiled processes. Returns no value in three cases: the process is not compiled; the
-/// specification is neither compiled nor small; or a complete exploration of the specification fails or takes longer
-/// than `longest`. Without `longest`, the result does not depend on time. Polls the budget during the exploration.
+/// Returns the cache key of a check on compiled processes. Returns no value if the process is not compiled. A
+/// specification that is not compiled must be small: there is no key if its exploration fails or takes longer than
+/// `longest`. Without `longest`, time does not affect the result. Polls the budget while it explores.
 [[nodiscard]] std::optional<QuestionKey> key_of(const Question&, diagnostics::Pollable& budget,
                                                 const std::optional<std::chrono::milliseconds>& longest);
 
-/// Returns the key of a check on packed states (packed/packed_system.hpp). Packed states depend on the script, so the
-/// key covers the whole script, the assertion, and the names of its events in their order. `events`: the events of all
-/// channels of the script.
+/// Returns the cache key of a check on packed states (packed/packed_system.hpp). The bytes of packed states depend on
+/// the script. Therefore the key covers the whole script, the assertion, and the names of the events in order. `events`
+/// must contain the events of all channels of the script.
 [[nodiscard]] QuestionKey key_of_packed(const Question&, const Script& script, const Decl& assertion,
                                         const process::EventSet& events);
 
-/// The time limit for exploring a specification if the key is only needed to save time.
+/// Limits the exploration of a specification if its key can only save time.
 inline constexpr std::chrono::milliseconds longest_look{1000};
 
-/// The cache for answers, and how large a search must be for its answer to be stored.
+/// The cache for answers, and how many states a search must find before its answer is stored.
 struct Memory {
     diagnostics::Cache* cache = nullptr;
     std::uint64_t fewest_states = 0;
 };
 
-/// Runs the check, and uses the findings of an earlier run if the cache contains them. Findings that are not confirmed
-/// are not used. Stores the findings of this run if the search was large enough. `ask` runs the check (check.hpp) with
-/// the findings of the earlier run.
+/// Runs a check by calling `ask` (check.hpp) with the findings of an earlier run if the cache contains them. If
+/// `ask` does not confirm these findings, searches again. Stores the findings of this run if its search was large
+/// enough.
 [[nodiscard]] refine::Verdict check_with_memory(const Question&, const QuestionKey&, const Memory&,
                                                 const std::function<refine::Verdict(refine::Earlier)>& ask);
-/// Runs a check on packed states. If its rows become wider, the check runs again, and the states in its findings have
-/// the new width. Therefore, when the check has been answered, the findings are also stored under its original key.
+/// Runs a check on packed states. `ask` may widen the rows of the states and search again; the findings then contain
+/// wider states. So the findings are stored both under a key that includes the first width and under `key`.
 [[nodiscard]] refine::Verdict answer_of_width(const Question&, const QuestionKey&, const Memory&,
                                               const std::function<refine::Verdict(refine::Earlier)>& ask);
 

@@ -32,17 +32,17 @@ namespace robochart::cspm {
 
 namespace {
 
-/// Thrown by a SessionSystem after it has created the maximal number of terms.
+/// Thrown by a SessionSystem when it has created too many terms to continue with terms.
 struct ManyTerms {};
 
 // A process that is not compiled: its states are terms.
 class SessionSystem final : public lts::TransitionSystem {
 public:
-    /// Errors are reported at the definition that causes them if it is known, otherwise at `span`.
+    /// An error is reported at the definition that causes it. If that definition is unknown, it is reported at `span`.
     SessionSystem(LoadedScript& loaded, process::TermId term, Span span)
         : loaded_(loaded), system_(loaded.semantics, term), term_(term), span_(span) {}
 
-    /// Counts created terms in `made`, and throws ManyTerms when there are `most` of them.
+    /// Adds the number of created terms to `made`. Throws ManyTerms when `made` reaches `most`.
     void limit_terms(std::size_t& made, std::size_t most) {
         made_ = &made;
         most_made_ = most;
@@ -77,8 +77,8 @@ private:
     std::size_t most_made_ = 0;
 };
 
-/// Makes evaluations poll the budget of a check. Each poll checks the limits at once, because an evaluation polls only
-/// after many small steps.
+/// Lets evaluations poll the budget of a check. An evaluation polls only once in many small steps, so each poll is
+/// charged as many.
 class EvaluationBudget final : public diagnostics::Pollable {
 public:
     explicit EvaluationBudget(refine::Budget& budget) : budget_(budget) {}
@@ -91,7 +91,7 @@ private:
     refine::Budget& budget_;
 };
 
-/// Makes the computation of transitions poll the budget of a check. It also limits the states of compressed operands.
+/// Lets the computation of transitions poll the budget of a check, and limits the states of compressed operands.
 class SemanticsBudget final : public diagnostics::Pollable {
 public:
     SemanticsBudget(const process::OperationalSemantics& semantics, refine::Budget& budget)
@@ -106,9 +106,9 @@ private:
     refine::Budget& budget_;
 };
 
-/// Makes a compilation poll the budget of a check. If a component has more states than the limit of the check, it is
-/// not compiled and the process is searched as terms. The check need not fail then, because the limit only counts
-/// states that the whole process reaches.
+/// Lets a compilation poll the budget of a check. A component with more states than the limit of the check is not
+/// compiled; the process is then searched as terms. This need not exceed the limit, because it only counts states that
+/// the whole process reaches.
 class CompilationBudget final : public diagnostics::Pollable {
 public:
     CompilationBudget(const machine::Compiler& compiler, refine::Budget& budget)
@@ -125,11 +125,11 @@ private:
     std::uint64_t most_states_;
 };
 
-/// After a search has found this many states, the assertion is tried with compressed parts. The search of the other
-/// states follows only if this gives no answer.
+/// If a search reaches this many states without an answer, the assertion is checked with compressed parts. If that
+/// gives no answer either, all states are searched.
 constexpr std::uint64_t first_states = 500'000;
 
-/// Truncates a description to one line without splitting a character.
+/// Shortens a description to 80 bytes. Never splits a character.
 std::string truncate_description(std::string text) {
     constexpr std::size_t longest = 80;
     if (text.size() <= longest) return text;
@@ -195,7 +195,7 @@ struct Session::Impl {
         return system(loaded.term_of(loaded.compile_side(expr, assertion)), expr->span, budget);
     }
 
-    /// Adds the omitted values to the descriptions in the run. Returns the corresponding run of terms with all values.
+    /// Replaces the descriptions in the run by complete ones with all values. Returns the run of terms behind them.
     std::optional<WholeRun> with_values(process::TermId process, std::string& initial, std::vector<refine::Step>& run) {
         std::optional<WholeRun> found =
             whole_run(whole->loaded.semantics, whole->loaded.events, process, initial, run, loaded.events);
@@ -241,7 +241,7 @@ struct Session::Impl {
         throw EvaluationError("the models R, RD, V and VD are not supported", assertion.span, {});
     }
 
-    /// Makes evaluations of definitions poll the limits of the check that needs them, during its lifetime.
+    /// While the object exists, evaluations of definitions poll the limits of the check that needs them.
     class Polling {
     public:
         Polling(Impl& impl, refine::Budget& budget)
@@ -287,7 +287,7 @@ struct Session::Impl {
         return result;
     }
 
-    /// Describes the stage at which the compilation was stopped.
+    /// Returns text about the component that was compiled when a limit stopped the compilation.
     std::string stage_reached() const {
         const machine::Compiler::Stage& stage = compiler.current_stage();
         if (!stage.component) return "";
@@ -297,7 +297,7 @@ struct Session::Impl {
         return text;
     }
 
-    /// Decides an assertion. A strategy by levels is notified of the assertion before it is evaluated.
+    /// Decides an assertion. Notifies a strategy by levels before the evaluation of the assertion and after it.
     refine::Verdict decide(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
         refine::LevelStrategy* const strategy = limits.by_levels;
         if (strategy == nullptr) return decide_begun(assertion, limits, result);
@@ -336,7 +336,7 @@ struct Session::Impl {
         return result;
     }
 
-    /// Calls `verdict` and stores its result. If it reaches a limit, the verdict is inconclusive.
+    /// Stores the result of `verdict`. If `verdict` reaches a limit, the stored verdict is inconclusive.
     void decide_result(const Decl& assertion, AssertionResult& result,
                        const std::function<refine::Verdict()>& verdict) {
         try {
@@ -385,8 +385,8 @@ struct Session::Impl {
                 limits.reduction};
     }
 
-    /// Decides the assertion by a search by levels, which may continue a search that an earlier run could not finish.
-    /// Its answers are stored separately from those of other searches, because its statistics differ if it finds a
+    /// Decides the assertion by a search by levels. This search may continue one that an earlier run could not finish.
+    /// Its answers are stored separately from those of other searches, because its statistics differ when it finds a
     /// violation.
     refine::Verdict decide_by_levels(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                      refine::Budget& evaluation,
@@ -416,9 +416,9 @@ struct Session::Impl {
         return dynamic_cast<SessionSystem*>(side.get());
     }
 
-    /// Decides the assertion, and repeats the check in two cases. If processes that are searched as terms turn out to
-    /// be large, it repeats the check with packed states. If packed states do not fit into their rows, it repeats the
-    /// check with wider rows.
+    /// Decides the assertion. If a search with terms creates many of them, restarts the check with packed states. If a
+    /// packed state does not fit into a row, restarts it with wider rows. If a state cannot be packed, restarts it with
+    /// terms.
     refine::Verdict decide_packing(Sides& both, const Decl& assertion, const refine::Limits& limits,
                                    const std::function<refine::Verdict()>& attempt) {
         enum class Before { nothing, pack, widen, unpack };
@@ -445,8 +445,8 @@ struct Session::Impl {
         }
     }
 
-    /// Returns the number of terms after which the search switches to packed states. A switch loads the script again,
-    /// so the search must already have done much more work than loading takes.
+    /// Returns the number of terms after which the search switches to packed states. Switching loads the script again,
+    /// so this number is large enough that loading takes only a small part of the time.
     [[nodiscard]] std::size_t most_terms(bool direct) const {
         constexpr std::size_t few = 5'000, many = 1'000'000;
         if (packing.from_terms) return *packing.from_terms;
@@ -458,12 +458,12 @@ struct Session::Impl {
             if (SessionSystem* const terms = terms_side(*side)) terms->limit_terms(terms_made, most);
     }
 
-    /// Replaces each process that is not compiled by a system of packed states. The system of terms becomes the
-    /// reference for replays.
+    /// Replaces terms by packed states in each process that is not compiled. The system of terms becomes the reference
+    /// that replays counterexamples.
     void pack_sides(Sides& both, const Decl& decl, const refine::Limits& limits) {
         const Assertion& assertion = decl.assertion;
-        // Event numbers must be the same in every run. A search numbers events in the order in which it finds them, so
-        // all events are numbered before the search.
+        // Event numbers must be the same in every run. A search would number events in the order in which it finds
+        // them, so all events are numbered before it starts.
         if (limits.by_levels != nullptr) all_events = events_of_script();
         const std::shared_ptr<PackedProcesses> processes = processes_for(limits);
         std::vector<std::pair<std::unique_ptr<lts::TransitionSystem>*, std::size_t>> sides;
@@ -484,8 +484,8 @@ struct Session::Impl {
         if (all_events) processes->fix_parts();
     }
 
-    /// Returns the packed processes for a check. Assertions about the same processes share evaluated data. A search by
-    /// levels gets its own packed processes, so that its rows are the same in every run.
+    /// Returns the packed processes for a check. Checks share them, so that evaluated data are used again. Only a
+    /// search by levels gets new ones, because its rows must be the same in every run.
     std::shared_ptr<PackedProcesses> processes_for(const refine::Limits& limits) {
         PackedProcesses::Settings settings;
         settings.whole_states = whole_states;
@@ -521,16 +521,16 @@ struct Session::Impl {
         }
     }
 
-    /// Returns a number of stored values and terms that takes only a small part of the memory. Each of them takes a few
-    /// hundred bytes.
+    /// Limits how many values and terms are stored, so that they use only a small part of the memory. Each of them
+    /// takes a few hundred bytes.
     static std::size_t most_kept_in(std::uint64_t memory_bytes) {
         constexpr std::uint64_t fewest = 20'000, most = 400'000;
         return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
     }
 
-    /// Decides the assertion in up to three stages (docs/search.md, "Compressed parts"). It searches the first states.
-    /// If this gives no answer, it searches with compressed parts, which preserve T, F and FD; only the answer `holds`
-    /// is used, because a violation needs a run of the whole process. Otherwise it searches all states.
+    /// Decides the assertion in up to three stages (docs/search.md, "Compressed parts"). First searches a limited
+    /// number of states. Without an answer, searches with compressed parts, which preserve T, F and FD. Uses only the
+    /// answer `holds` of this search: a violation needs a run of the whole process. Finally searches all states.
     refine::Verdict ask_in_turns(const Sides& both, const Decl& assertion, refine::Model in,
                                  const refine::Limits& limits, refine::Earlier earlier) {
         const bool known = earlier != nullptr && *earlier;
@@ -550,8 +550,8 @@ struct Session::Impl {
         return ask_of(both, assertion, in, limits, earlier);
     }
 
-    /// Decides the assertion with compressed parts. Returns no value if the assertion does not hold, if compression
-    /// removes too few states of the parts, or if a limit is reached.
+    /// Decides the assertion with compressed parts. Returns no value if the assertion does not hold, a limit is
+    /// reached, or the compression is too weak.
     std::optional<refine::Verdict> ask_of_parts(const Decl& assertion, refine::Model in, refine::Limits limits) {
         constexpr double least_shrinkage = 16;
         limits.progress = {};
@@ -585,7 +585,7 @@ struct Session::Impl {
             verdict.statistics.seconds = budget.seconds();
             return verdict;
         } catch (const process::Interrupted&) {
-            return std::nullopt;  // if it is a limit of the whole check, it also ends the next search
+            return std::nullopt;  // a limit of the whole check will also stop the next search
         }
     }
 
@@ -617,7 +617,7 @@ struct Session::Impl {
     Packing packing;
     std::size_t terms_made = 0;                         ///< number of terms made by searches
     std::shared_ptr<PackedProcesses> packed_processes;  ///< null until a process is packed
-    std::optional<process::EventSet> all_events;        ///< set if rows must be the same in every run
+    std::optional<process::EventSet> all_events;        ///< has a value if rows must be the same in every run
     machine::MachineCompressor compressor;
     LoadedScript loaded;
     machine::Compiler compiler;
@@ -682,8 +682,8 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
     try {
         return process::behaviour(impl_->loaded.semantics, counterexample.terms.front(), run, offers);
     } catch (const EvaluationError&) {
-        // The explanation may need terms inside a compression that the search has not evaluated. If their evaluation
-        // fails, the verdict is reported without an explanation.
+        // To explain the run, terms inside a compression may be evaluated for the first time. If this fails, the
+        // verdict is reported without an explanation.
     } catch (const process::SemanticsError&) {
     }
     return std::nullopt;
@@ -741,7 +741,7 @@ std::optional<process::Behaviour> Session::behaviour_with_values(const Decl& ass
     };
     const bool values =
         leaves_values_out(counterexample.initial) || lacks(counterexample.steps) || lacks(counterexample.accepting);
-    // In a loop, the values that the states omit may differ in every round, although the states themselves repeat.
+    // Each round of a loop may have different omitted values, even if its states are equal. So no values are added.
     if (!values || counterexample.terms.empty() || !counterexample.loop.empty())
         return behaviour(counterexample, limits);
     try {

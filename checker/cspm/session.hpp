@@ -24,16 +24,16 @@ struct AssertionResult {
     std::string text;  ///< the assertion as printed
     Span span;
     bool negated = false;
-    refine::Verdict verdict;         ///< already negated for `not`: `holds` refers to the assertion as written
-    double compile_seconds = 0;      ///< time for evaluation and compilation before the search
-    double compile_cpu_seconds = 0;  ///< processor time of all threads for evaluation and compilation
+    refine::Verdict verdict;         ///< `holds` refers to the whole assertion, including its `not`
+    double compile_seconds = 0;      ///< time to evaluate and compile the processes, before the search
+    double compile_cpu_seconds = 0;  ///< the same as processor time of all threads
 };
 
-/// Determines when the search represents processes that are not compiled by packed states instead of terms
-/// (docs/search.md). Answers do not depend on these settings.
+/// Controls when the states of a process that is not compiled are packed instead of stored as terms (docs/search.md).
+/// Answers do not depend on these settings.
 struct Packing {
-    /// The number of terms after which a search switches to packed states. The default is 5,000 (more for long scripts)
-    /// if steps can be computed without terms (packed/direct_steps.hpp), and 1,000,000 otherwise.
+    /// The search switches to packed states when it has this many terms. Default: 5,000 (more for long scripts) if
+    /// steps can be computed without terms (packed/direct_steps.hpp), and 1,000,000 otherwise.
     std::optional<std::size_t> from_terms;
     std::optional<std::size_t>
         most_kept;             ///< maximal number of values and terms; 0: as for one state; none: by memory limit
@@ -43,9 +43,9 @@ struct Packing {
 /// One loaded script with its events, terms and definitions. Not thread-safe.
 class Session {
 public:
-    /// Compiles the script and polls the budget meanwhile, because instances copy their modules and may make the script
-    /// long. With `whole_states`, calls in terms also contain the arguments that the called process never reads. A
-    /// caller that displays states may need them.
+    /// Compiles the script. Polls the budget while it does so, because copies of modules can make the script very long.
+    /// With `whole_states`, the terms of calls also contain arguments that the called process never reads. A caller may
+    /// need them to display states.
     explicit Session(Script script, diagnostics::Budget* budget = nullptr, bool whole_states = false);
     ~Session();
     Session(const Session&) = delete;
@@ -57,52 +57,52 @@ public:
     /// Decides one assertion. Throws evaluation errors. If a limit is reached, the verdict is inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
 
-    /// Decides one assertion without compiling components. Compilation evaluates all states of a component, and fails
-    /// if one of these evaluations fails. This function only evaluates states that the search reaches.
+    /// Decides one assertion with terms only. Compilation evaluates all states of a component, and fails if one
+    /// evaluation fails. This function evaluates only the states that the search reaches.
     [[nodiscard]] AssertionResult check_with_terms(const Decl& assertion, const refine::Limits&);
 
-    /// Uses answers of earlier runs from this cache. Stores the answers of this run whose searches had at least
-    /// `fewest_states` states: a smaller search is faster than a look-up. The cache must outlive the session.
+    /// Uses the answers of earlier runs in this cache. Adds the answers of this run if the search had at least
+    /// `fewest_states` states, because a look-up is slower than a smaller search. The cache must outlive the session.
     void set_cache(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);
 
     /// Sets when packed states are used. Call it before the first check.
     void set_packing(const Packing& packing);
 
-    /// Reports calls of these functions during the evaluation of processes. Call it before the first check: each state
-    /// is evaluated only once, for the first assertion that needs it, so later assertions report no calls for it.
+    /// Reports calls of these functions while processes are evaluated. Call it before the first check: a state is
+    /// evaluated only for the first assertion that reaches it. Later assertions do not report its calls.
     void set_observer(CallObserver observer);
 
-    /// Splits the run of a counterexample into the runs of its components. The loop of a divergence follows the trace.
-    /// Returns no value if the states of the run are not terms. Without `offers`, no state after the run is computed.
+    /// Splits the run of a counterexample into the runs of its components. For a divergence, the loop follows the
+    /// trace. Returns no value if the states are not terms. Without `offers`, no state after the run is computed.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
     /// Splits the run within limits. Returns no value if a limit is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
-    /// Splits the run for display. Adds the values of arguments that are never read to the counterexample, because the
-    /// terms of its states do not contain these values. The terms of the result belong to another session.
+    /// Splits the run for display. States do not contain the values of arguments that are never read; this function
+    /// adds these values to the counterexample. The terms of the result belong to another session.
     [[nodiscard]] std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion,
                                                                           refine::Counterexample&,
                                                                           const refine::Limits&);
-    /// Returns the transitions of a term. Throws EvaluationError or process::SemanticsError if its definitions cannot
-    /// be evaluated.
+    /// Returns the transitions of a term. Throws EvaluationError or process::SemanticsError if the evaluation of a
+    /// definition fails.
     [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
     /// Splits one of these transitions into the moves of the components.
     [[nodiscard]] std::vector<process::Move> split_transition(process::TermId term, const process::Transition& step);
 
     /// Returns the process that an expression in the script's global scope denotes.
     [[nodiscard]] process::TermId process(const ExprPtr&);
-    /// Returns the process as a transition system. The system shares this session's events and is valid during the
-    /// session's lifetime.
+    /// Returns the process as a transition system. The system uses the events of this session, so the session must
+    /// outlive it.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);
     /// Returns the transition system and compiles it within limits. Throws process::Interrupted if a limit is reached.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&, const refine::Limits&);
-    /// Returns the transition system with components that are not minimised. Its states then determine the state of
-    /// each component, and hidden events keep their names.
+    /// Returns the transition system without minimising its components. So each of its states determines the states of
+    /// all components, and hidden events keep their names.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(const ExprPtr&, const refine::Limits&);
     /// Returns the events that an expression denotes, which may be an event or a set of events.
     [[nodiscard]] process::EventSet events(const ExprPtr&);
-    /// If a limit has ended a long evaluation since the last call: the place and the calls of this evaluation.
+    /// Returns the place and the calls of a long evaluation if a limit has ended one since the last call.
     [[nodiscard]] std::optional<EvaluationError> take_stopped_evaluation();
-    /// Evaluates an expression of any other type. Returns its value, printed like FDR's `print`.
+    /// Evaluates an expression of another type. Returns the value as FDR's `print` shows it.
     [[nodiscard]] std::string evaluate(const ExprPtr&);
     /// Evaluates the expression within limits. Throws process::Interrupted if a limit is reached.
     [[nodiscard]] std::string evaluate(const ExprPtr&, const refine::Limits&);

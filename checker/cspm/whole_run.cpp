@@ -6,7 +6,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// Finds the next omitted value. Its text is an underscore; each of the characters around it is `(`, `,` or `)`.
+/// Finds the next omitted value: an underscore between `(` or `,` on the left and `,` or `)` on the right.
 std::size_t next_place(std::string_view description, std::size_t from) {
     for (std::size_t at = description.find('_', from); at != std::string_view::npos;
          at = description.find('_', at + 1)) {
@@ -18,7 +18,7 @@ std::size_t next_place(std::string_view description, std::size_t from) {
     return std::string_view::npos;
 }
 
-/// A reached state, and the index of its predecessor among the states before the step.
+/// A state of the run, and the index of its predecessor in the layer before it.
 struct Reached {
     process::Transition step;
     std::size_t from;
@@ -30,7 +30,7 @@ bool leaves_values_out(std::string_view description) {
     return next_place(description, 0) != std::string_view::npos;
 }
 
-// Compares the texts around the omitted values. They must occur in the same order, the first one at the beginning and
+// Compares only the texts between omitted values. They must occur in the same order, the first one at the beginning and
 // the last one at the end.
 bool matches_description(std::string_view with_places, std::string_view with_values) {
     std::size_t begin = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adds omitted values to runs. Arguments that are never read are not part of a state, so a run does not contain their
-// values. For display, the run is repeated in a session of the same script in which states contain all arguments.
+// Adds omitted values to runs. A state omits arguments that are never read, so a run does not contain their values. To
+// display them, the run is repeated in another session of the script, whose states contain all arguments.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace robochart::cspm {
 
 /// Returns true if a description contains an omitted value, as `Done(_,1)` does.
 [[nodiscard]] bool leaves_values_out(std::string_view description);
-/// Returns true if omitting some values of the second description can give the first description.
+/// Returns true if the first description is the second one with some values omitted.
 [[nodiscard]] bool matches_description(std::string_view with_places, std::string_view with_values);
 
 /// A run of terms.
@@ -25,8 +25,8 @@ struct WholeRun {
     std::vector<process::Transition> steps;
 };
 
-/// Returns the run of `initial` whose steps have the event names of `run` and whose states match the descriptions in
-/// `run`. Returns no value if no such run exists, or if finding it takes too much work.
+/// Searches a run from `initial` whose steps have the same event names as `run` and whose states match the descriptions
+/// in `run`. Returns no value if there is none, or if the search takes too much work.
 [[nodiscard]] std::optional<WholeRun> whole_run(process::OperationalSemantics& semantics,
                                                 const process::EventTable& events, process::TermId initial,
                                                 const std::string& description, const std::vector<refine::Step>& run,

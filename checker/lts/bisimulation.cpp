@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the coarsest stable partition of the states. The states of a block have the same signature: the events of a
-// state's transitions, with the blocks of their targets. For the branching equivalence, the signature also contains the
-// events and blocks that are reached through taus inside the block (inert taus). If targets have moved to another
-// block, the signatures are recomputed and the block is split. Its largest part keeps the number of the block, so a
-// state moves at most log n times. Signatures are first compared by their hashes. The parts are in the order of their
-// first states.
+// Computes the coarsest stable partition of the states. All states of a block have the same signature: the set of the
+// events of their transitions, each with the block of the target. For the branching equivalence, a tau inside the
+// block is inert. Such a tau itself is not in the signature, but the signature of its target is. When states move to
+// another block, the signatures of the states that lead to them are computed again, and their block is split. Its
+// largest part keeps the block's number, so a state moves at most log n times. Parts are ordered by their first
+// states.
 #include "checker/lts/bisimulation.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using Block = std::uint32_t;
 using Signature = std::vector<Edge>;  // the targets are blocks; ascending
 using States = std::vector<StateIndex>;
 
-/// A signature with this target means that the state can perform taus forever.
+/// In a signature, this target shows that the state can perform taus forever.
 constexpr StateIndex endless = no_state;
 
 /// States of one block that have the same signature.
@@ -44,8 +44,8 @@ std::uint64_t hash_of(const Signature& signature) {
     return hash;
 }
 
-/// The parts into which the states of a block are divided, in the order in which they were added. References to parts
-/// remain valid when parts are added.
+/// The parts of a block, in the order in which they were added. Adding a part does not invalidate references to other
+/// parts.
 class Parts {
 public:
     Part& with_signature(Signature signature) {
@@ -60,10 +60,10 @@ public:
 
 private:
     std::deque<Part> parts_;
-    std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // looked up only, so its order has no effect
+    std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // only searched by key, so its order has no effect
 };
 
-/// Sorts edges that are already ascending by event, and removes duplicates.
+/// Sorts edges by target and removes duplicates. The edges must already be sorted by event.
 void sort_by_target(Signature& signature) {
     for (auto first = signature.begin(); first != signature.end();) {
         const auto last =
@@ -104,7 +104,7 @@ private:
     std::vector<States> members_;
     std::vector<std::size_t> place_;  // index in its block's members
     std::vector<Signature> signatures_;
-    std::vector<const Signature*> fresh_;  // by state: its new signature during `refine`; or null
+    std::vector<const Signature*> fresh_;  // by state: the signature that `refine` has just computed; or null
     std::vector<States> dirty_;            // by block: its marked states
     std::vector<bool> is_dirty_;
     std::deque<Block> work_;
@@ -144,7 +144,7 @@ void Refinement::run() {
     }
 }
 
-/// Marks a state whose signature may have changed, and the states that lead to it by inert taus.
+/// Marks a state whose signature may have changed. Also marks all states from which inert taus lead to it.
 void Refinement::mark_dirty(StateIndex state) {
     States pending{state};
     while (!pending.empty()) {
@@ -162,14 +162,14 @@ void Refinement::mark_dirty(StateIndex state) {
     }
 }
 
-/// Returns the marked states that are still in the block, sorted so that targets of inert taus come first. This is the
-/// order of the state numbers, because minimise has numbered the states so that a tau leads to a lower number.
+/// Returns the marked states of the block in ascending order. `minimise` numbers states so that a tau leads to a lower
+/// number. So the target of an inert tau comes before its source.
 States Refinement::take_dirty(Block block) {
     States states = std::exchange(dirty_[block], {});
     std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
     std::ranges::sort(states);
     for (StateIndex state : states) is_dirty_[state] = false;
-    assert(std::ranges::adjacent_find(states) == states.end());  // marked states are listed once
+    assert(std::ranges::adjacent_find(states) == states.end());  // no state is marked twice
     return states;
 }
 
@@ -200,7 +200,7 @@ Signature Refinement::signature_of(StateIndex state) const {
             by_event = by_event && result.empty();
             result.push_back({tau, endless});
         } else {
-            assert(edge.target < state);  // the signature of the target is up to date
+            assert(edge.target < state);  // so its new signature is already known
             const Signature& through = fresh_[edge.target] != nullptr ? *fresh_[edge.target] : signatures_[own];
             by_event = by_event && result.empty();
             result.insert(result.end(), through.begin(), through.end());
@@ -213,7 +213,7 @@ Signature Refinement::signature_of(StateIndex state) const {
     return result;
 }
 
-/// Adds the unmarked states of the block to `with_clean`: they still have the old signature of the block.
+/// Adds the states without a mark to `with_clean`. Their signature is still the old one of the block.
 void Refinement::add_clean_states(Block block, Parts& parts, Part& with_clean) {
     std::vector<bool> computed(members_[block].size(), false);
     for (const Part& part : parts.list())
@@ -271,7 +271,7 @@ void Refinement::move_states(const States& states, Block to) {
     }
 }
 
-/// Numbers the reachable blocks in breadth-first order from the initial state's block.
+/// Builds the quotient. Numbers the reachable blocks in breadth-first order, from the block of the initial state.
 class QuotientBuilder {
 public:
     QuotientBuilder(const Refinement& refinement, StateIndex initial) : refinement_(refinement) {
@@ -307,8 +307,8 @@ private:
 }  // namespace
 
 Quotient minimise(const Graph& graph, Equivalence equivalence, diagnostics::Pollable& budget) {
-    // States on a tau cycle are equivalent under the branching equivalence: they become one state with a tau loop. The
-    // others keep their taus and are numbered so that a tau leads to a lower number.
+    // Branching equivalence: all states on a tau cycle are equivalent, so they become one state with a tau loop. Other
+    // taus remain. The states are numbered so that each of these taus leads to a lower number.
     assert(graph.size() > 0);
     const bool branching = equivalence == Equivalence::branching_with_divergence;
     const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);

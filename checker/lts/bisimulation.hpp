@@ -9,20 +9,20 @@
 
 namespace robochart::lts {
 
-/// The equivalences by which a graph can be minimised.
+/// The equivalences for minimising a graph.
 enum class Equivalence {
     /// Strong bisimilarity: preserves all models.
     strong,
-    /// Branching bisimilarity that respects divergence (van Glabbeek, Luttik, Trcka 2009). It is finer than FDR's
-    /// dbisim and wbisim. A tau of an operand resolves no operator of CSP, so this equivalence is a congruence. It is
-    /// also a congruence for prioritise, for two reasons. First, a state without an inert tau offers all events of the
-    /// states that lead to it by inert taus. Second, a state on a tau cycle still has a tau in the quotient. The
-    /// equivalence preserves T, F and FD.
+    /// Branching bisimilarity with explicit divergence (van Glabbeek, Luttik, Trcka 2009). It is finer than FDR's
+    /// dbisim and wbisim. It preserves T, F and FD. It is a congruence for the operators of CSP, because a tau of an
+    /// operand resolves none of them. For prioritise, there are two more reasons. A state without an inert tau offers
+    /// all events of the states from which inert taus lead to it. And a state on a tau cycle still has a tau in the
+    /// quotient.
     branching_with_divergence,
 };
 
-/// The smallest graph that is equivalent to another graph (the original graph), and the mapping between the states of
-/// the two graphs.
+/// The smallest graph that is equivalent to another graph (the original), and which states of the two graphs correspond
+/// to each other.
 struct Quotient {
     Graph graph;                             ///< numbered in breadth-first order; edges sorted, without duplicates
     std::vector<StateIndex> representative;  ///< by state: the first original state that it represents

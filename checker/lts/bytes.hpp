@@ -25,8 +25,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Reads numbers from bytes. Every function throws BadBytes if no bytes are left or if the next bytes are not a number
-/// of the requested kind.
+/// Reads numbers from bytes. A function throws BadBytes if no bytes are left, or if the next bytes do not encode a
+/// number of the expected kind.
 class ByteReader {
 public:
     /// The bytes must outlive the reader.
@@ -36,7 +36,7 @@ public:
     std::uint32_t read_below(std::uint64_t end);
     /// Reads any number of 32 bits.
     std::uint32_t read_word() { return read_below(std::uint64_t{1} << 32U); }
-    /// Reads the number of the items that follow. Each item must have at least one byte.
+    /// Reads how many items follow. Each item must have at least one byte.
     std::size_t read_count();
     void expect_end() const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vector that grows in chunks. Its elements never move. So growing never needs memory for an old and a new copy at
-// the same time.
+// A vector that grows by adding chunks. Its elements never move, so growing never needs memory for two copies of
+// them.
 #pragma once
 
 #include <cassert>

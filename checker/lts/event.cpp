@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the table of events, in which tau and tick are the first.
+// Implements the table of events. Its first two entries are tau and tick.
 #include "checker/lts/event.hpp"
 
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents events by numbers and stores their names.
+// Represents events by numbers. Stores the name of each event.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ inline constexpr Event tau = 0;   ///< the invisible action
 inline constexpr Event tick = 1;  ///< successful termination, printed as ✓
 inline constexpr Event first_visible = 2;
 
-/// Assigns numbers without gaps to the names of events. Visible events are numbered in the order in which they are
-/// first interned.
+/// Assigns consecutive numbers to the names of events. A visible event gets the next number when its name is first
+/// interned.
 class EventTable {
 public:
     EventTable();
@@ -29,6 +29,6 @@ private:
     std::unordered_map<std::string, Event> ids_;
 };
 
-using EventSet = std::vector<Event>;  ///< ascending, without tau; with tick only where documented
+using EventSet = std::vector<Event>;  ///< ascending; never contains tau; contains tick only where a comment says so
 
 }  // namespace robochart::lts

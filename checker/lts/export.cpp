@@ -12,8 +12,8 @@
 namespace robochart::lts {
 namespace {
 
-/// In Aldebaran's format, a label that is a reserved word represents a hidden step (mCRL2: `tau`, CADP: `i`). This
-/// export also reserves a word for termination. If an event has one of these names, an underscore is appended to it.
+/// The labels for Aldebaran's format. Other tools read certain labels as a hidden step (mCRL2: `tau`, CADP: `i`), and
+/// this export has a label for termination. If an event has one of these names, an underscore follows it.
 class Labels {
 public:
     explicit Labels(const EventTable& events) : events_(events) {
@@ -46,7 +46,7 @@ void write_aut(const Graph& graph, const EventTable& events, std::ostream& out) 
 
 namespace {
 
-/// Returns an event as a CSPM expression, in which a negative field needs parentheses.
+/// Returns an event as a CSPM expression. Negative fields get parentheses.
 std::string expression(const std::string& event) {
     std::string text;
     for (std::size_t i = 0; i < event.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes values that are packed next to each other in the words of a state.
+// Reads and writes values that share the words of a state.
 #pragma once
 
 #include <cassert>
@@ -8,8 +8,8 @@
 
 namespace robochart::lts {
 
-/// The position of a value in a packed state. The value occupies a part of one word: it starts at bit `shift` and has
-/// the width of `mask`.
+/// The position of a value in a packed state. The value is in one word. Its lowest bit is bit `shift`, and `mask` shows
+/// how many bits it has.
 struct Field {
     std::uint32_t word, shift, mask;
     [[nodiscard]] std::uint32_t get(std::span<const std::uint32_t> state) const {

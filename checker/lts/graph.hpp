@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores transition systems as graphs: one array contains the edges of all states, state by state. State 0 is the
-// initial state.
+// Stores transition systems as graphs. One array contains the edges, ordered by source state. State 0 is the initial
+// state.
 #pragma once
 
 #include <cassert>
@@ -32,8 +32,8 @@ public:
         assert(state + std::size_t{1} < first_.size());
         return std::span(edges_).subspan(first_[state], first_[state + 1U] - first_[state]);
     }
-    /// Adds an edge to the state that is under construction. `finish_state` completes this state and begins the next
-    /// one. Targets may be later states.
+    /// Adds an edge to the state that is being built. `finish_state` completes this state and begins the next one. An
+    /// edge may lead to a state that does not exist yet.
     void add_edge(Edge edge) { edges_.push_back(edge); }
     void finish_state() {
         assert(first_.back() <= edges_.size());
@@ -53,11 +53,11 @@ struct Exploration {
     StateStore states;  ///< the packed state for every index
 };
 
-/// Explores the system breadth first from the initial state. Before the function expands a state, it calls `on_state`
-/// with the number of states found so far. `on_state` may throw an exception to stop the exploration.
+/// Explores the system breadth-first from the initial state. Calls `on_state` with the number of states found so far,
+/// before it expands a state. `on_state` may stop the exploration by an exception.
 [[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& on_state);
 
-/// Returns true if the state has a transition with tau, so that it is not stable.
+/// Returns true if the state has a tau, that is, if it is not stable.
 [[nodiscard]] bool has_tau(TransitionSystem& system, StateView state);
 
 /// Makes a graph available through the interface of transition systems.
@@ -80,9 +80,9 @@ private:
 
 /// Writes the graph in the Aldebaran format that CADP and mCRL2 read. Tau is written "tau", and termination "tick".
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
-/// Writes CSPM definitions of the process `name` and of one process for each state. The process of a state is called
-/// `name` followed by the number of the state. The process `name` is equal to the graph in T, F and FD. The channels
-/// must already be declared. If a state has several taus and another event, an additional tau precedes these taus.
+/// Writes CSPM definitions: a process `name`, and one process for each state, called `name` followed by the number of
+/// the state. The process `name` equals the graph in T, F and FD. The script must declare the channels. If a state has
+/// several taus and another event, its process starts with one further tau.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
 /// Writes the graph in the format of Graphviz.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);

@@ -14,7 +14,7 @@ void IndexTable::reset_for_capacity(std::uint64_t numbers) {
     reset(static_cast<std::uint32_t>(buckets));
 }
 
-/// Frees the old memory before allocating the new memory, so that both never exist at the same time.
+/// Frees the old memory before it allocates the new memory, so that only one table exists at a time.
 void IndexTable::reset(std::uint32_t bucket_count) {
     assert(bucket_count > 0);
     bucket_count_ = bucket_count;

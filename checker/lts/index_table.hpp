@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hash table that finds the numbers of objects which are stored elsewhere. It uses open addressing over buckets. Each
-// bucket is one cache line. It contains twelve numbers and, for each number, eight bits of the object's hash. A look-up
-// usually reads one cache line, and then the objects with the same eight bits.
+// A hash table for objects that are stored elsewhere: it stores only their numbers. It uses open addressing with
+// buckets of one cache line each. For each of its twelve numbers, a bucket also stores eight bits of the object's hash.
+// A look-up usually reads one cache line, and then only the objects whose eight bits match.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class IndexTable {
     struct Bucket;
 
 public:
-    /// The slot of a number, or a free slot for a number.
+    /// A slot that contains a number, or a free slot for a new number.
     class Slot {
     public:
         [[nodiscard]] bool is_taken() const { return taken_; }
@@ -48,8 +48,8 @@ public:
 
     IndexTable() { reset(1); }
 
-    /// Returns the slot of the number for which `same` is true. If there is no such number, returns a free slot. The
-    /// bucket of this slot is null if the table is full.
+    /// Returns the slot with the number that satisfies `same`. If there is none, returns a free slot. If the table is
+    /// full, the returned slot has no bucket.
     template <class Same>
     [[nodiscard]] Slot find(std::uint64_t hash, const Same& same) const {
         Slot slot;
@@ -69,7 +69,7 @@ public:
         return slot;
     }
     [[nodiscard]] static bool has_space(const Slot& slot) { return slot.bucket_ != nullptr; }
-    /// Stores a number in a free slot. No other number may be added between finding the slot and this call.
+    /// Stores a number in a free slot. Between finding the slot and this call, no other number may be added.
     static void put_number(const Slot& slot, StateIndex index) {
         assert(!slot.taken_ && slot.place_ == slot.bucket_->used);
         slot.set(index);
@@ -92,9 +92,9 @@ public:
         return false;
     }
 
-    /// Thread-safe. Returns the slot of the number for which `same` is true. If there is no such number, calls `own`
-    /// and stores the number that `own` returns. A thread that finds this number also sees all writes that were made
-    /// before `own` returned.
+    /// Thread-safe. Returns the slot with the number that satisfies `same`. If there is none, calls `own` and stores
+    /// the number that it returns. A thread that finds this number sees everything that was written before `own`
+    /// returned.
     template <class Same, class Own>
     [[nodiscard]] Slot find_or_add(std::uint64_t hash, const Same& same, const Own& own) const {
         Slot slot;
@@ -124,7 +124,7 @@ public:
     /// Prefetches the cache line that a look-up reads first.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&buckets()[home_of(hash)]); }
 
-    /// Returns the maximal number of entries. With more entries, look-ups would become slow.
+    /// Returns how many entries the table should have at most. Above this number, look-ups become slow.
     [[nodiscard]] std::uint64_t capacity() const { return std::uint64_t{bucket_count_} * bucket_size * 4 / 5; }
     /// Removes all entries and allocates space for at least this many numbers.
     void reset_for_capacity(std::uint64_t numbers);
@@ -140,7 +140,7 @@ private:
         std::uint32_t last_tags;
         std::uint32_t used;
 
-        /// Returns one bit for each matching tag in the places from `first` on.
+        /// Returns one bit for each place from `first` on whose tag matches.
         [[nodiscard]] std::uint64_t matching_tags(std::uint8_t tag, std::uint32_t first, std::uint32_t end);
         [[nodiscard]] static std::uint32_t lowest_match(std::uint64_t matches) {
             assert(matches != 0 && matches >> bucket_size == 0);
@@ -148,7 +148,7 @@ private:
         }
         /// The caller must have exclusive access.
         void set_tag(std::uint32_t place, std::uint8_t tag);
-        /// Waits for threads that are adding a number, and returns the number of used places.
+        /// Waits until no thread is adding a number. Returns the number of used places.
         [[nodiscard]] std::uint32_t await_used_count() {
             for (;;) {
                 const std::uint32_t now = std::atomic_ref(used).load(std::memory_order_acquire);
@@ -165,7 +165,7 @@ private:
         }
     };
 
-    /// Searches the places [first, end) of a bucket for the number for which `same` is true.
+    /// Searches the places [first, end) of a bucket for a number that satisfies `same`.
     template <class Same>
     [[nodiscard]] static bool find_match(Slot& slot, Bucket& bucket, std::uint32_t first, std::uint32_t end,
                                          const Same& same) {
@@ -194,7 +194,7 @@ private:
 inline void IndexTable::Bucket::set_tag(std::uint32_t place, std::uint8_t tag) {
     constexpr std::uint32_t first_places = sizeof first_tags;
     assert(place < bucket_size);
-    // A place is used once, so its bits are still 0 and `or` sets them.
+    // Each place is used only once. Its bits are still 0, so `or` sets them.
     assert((place < first_places ? first_tags >> (8 * place) : last_tags >> (8 * (place - first_places))) % 256 == 0);
     if (place < first_places)
         std::atomic_ref(first_tags).store(first_tags | std::uint64_t{tag} << (8 * place), std::memory_order_relaxed);
@@ -209,7 +209,7 @@ inline std::uint64_t IndexTable::Bucket::matching_tags(std::uint8_t tag, std::ui
     constexpr std::uint64_t tops = ones << 7U;
     const auto agreeing = [tag](std::uint64_t tags) {
         const std::uint64_t differing = tags ^ (ones * tag);
-        const std::uint64_t low = (differing & ~tops) + ~tops;  // top bit: some lower bit differs
+        const std::uint64_t low = (differing & ~tops) + ~tops;  // a top bit is set if a lower bit of its byte differs
         return (~(low | differing) & tops) >> 7U;               // bit 0 of each matching byte
     };
     const auto gathered = [](std::uint64_t bits) { return (bits * 0x0102040810204080ULL) >> 56U; };

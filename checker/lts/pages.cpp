@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21U;
 constexpr std::size_t cache_line = 64;
-/// Blocks above this size are mapped directly, so that they can be unmapped as soon as they are freed. In the heap,
-/// other blocks could prevent freed memory from returning to the system.
+/// Larger blocks are mapped directly, so they return to the system as soon as they are freed. In the heap, a freed
+/// block may stay allocated because of the blocks around it.
 constexpr std::size_t large = std::size_t{1} << 17U;
 
 /// Rounds up to whole pages of this machine.
@@ -25,8 +25,8 @@ std::size_t round_to_pages(std::size_t bytes) {
     return (bytes + page - 1) & ~(page - 1);
 }
 
-/// Maps one huge page more than needed and unmaps the excess at both ends. Only ranges that fill whole huge pages use
-/// them, so that no memory is wasted.
+/// Maps one huge page more than necessary, and unmaps the excess at both ends. Huge pages are used only for ranges that
+/// they fill completely, so that no memory is wasted.
 void* map(std::size_t bytes) {
     const std::size_t length = round_to_pages(bytes);
     void* const mapped =
@@ -39,7 +39,7 @@ void* map(std::size_t bytes) {
     munmap(begin + before + length, huge_page - before);
 #ifdef MADV_HUGEPAGE
     const std::size_t whole = length & ~(huge_page - 1);
-    if (whole > 0) madvise(begin + before, whole, MADV_HUGEPAGE);  // advice: refusal changes only the speed
+    if (whole > 0) madvise(begin + before, whole, MADV_HUGEPAGE);  // only advice: without it, the program is slower
 #endif
     return begin + before;
 }

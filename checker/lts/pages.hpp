@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Allocates zeroed memory for large tables, in huge pages if the system has them. The system allocates a page when it
-// is first accessed. If a table consists of 4 KiB pages, a random look-up also walks the page table. It then takes 1.7
-// times as long.
+// Allocates zeroed memory for large tables, in huge pages if the system provides them. The memory of a page is
+// allocated when it is first accessed. Huge pages save time: with pages of 4 KiB, a random look-up also reads the page
+// table and takes 1.7 times as long.
 #pragma once
 
 #include <cstddef>

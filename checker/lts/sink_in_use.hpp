@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A system that passes on the successors of another system stores its current sink with this class.
+// Stores the current sink of a system. Used by systems that forward the successors of another system.
 #pragma once
 
 #include <cassert>
@@ -8,7 +8,7 @@
 
 namespace robochart::lts {
 
-/// Makes a variable point to the sink that receives successors. The destructor sets the variable to null.
+/// Makes a variable point to the sink that receives the successors. The destructor sets the variable to null again.
 class SinkInUse {
 public:
     SinkInUse(SuccessorSink*& place, SuccessorSink& sink) : place_(place) {

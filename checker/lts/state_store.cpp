@@ -114,14 +114,14 @@ StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
     return slot.is_taken() ? slot.get() : no_state;
 }
 
-/// Adds the memory of the states and of the table. A bucket of the table has 64 bytes and twelve places, and the table
-/// is at most four fifths full.
+/// Returns the memory of the states plus that of the table. A bucket of the table has 64 bytes and twelve places. At
+/// most four fifths of the places are used.
 std::uint64_t StateStore::bytes() const {
     return size_ * width_ * sizeof(Word) + (size_ + free_state_count()) * 5 / 4 * 64 / 12;
 }
 
-/// Computes the number of states for the usual case: each state has a place in a table that is two thirds full. A new
-/// chunk is as large as all chunks before it, and is not allocated if less than half of it would be used.
+/// Assumes that two thirds of the table are used, so that each state takes 8 bytes there. A new chunk is as large as
+/// all chunks before it. If less than half of the last chunk would be used, the result does not include it.
 std::uint64_t StateStore::most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more) {
     constexpr std::uint64_t fewest = 64, most = std::uint64_t{1} << 31U, place = 8;
     const std::uint64_t states = std::min(bytes / (width * sizeof(Word) + place + more), most);

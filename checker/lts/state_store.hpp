@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of visited states. It stores exact packed states of one width in the order of insertion. The chunks of memory
-// that contain them never move. A table of hash bits finds states, and a look-up always compares the whole state.
+// The set of visited states. Stores the packed states, all of one width, in the order of insertion. Their memory never
+// moves. A hash table finds candidates by some bits of the hash. A look-up always compares the whole state.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace robochart::lts {
 
-/// Stores packed states of one width without duplicates and numbers them.
+/// Stores each packed state once and numbers the states. All states have the same width.
 class StateStore {
 public:
     explicit StateStore(std::size_t width);
@@ -34,38 +34,38 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t width() const { return width_; }
 
-    /// Returns the approximate memory in bytes that the states and their places in the table use.
+    /// Returns the approximate number of bytes that the states and their entries in the table use.
     [[nodiscard]] std::uint64_t bytes() const;
-    /// Returns how many states fit into this many bytes if each state needs `more` additional bytes. The result is at
-    /// least a small number, and at most the number of valid state numbers.
+    /// Returns how many states fit into `bytes` if each state needs `more` additional bytes elsewhere. The result is at
+    /// least 64 and at most 2^31.
     [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
 
-    // To look up many states, call `hash` and `prefetch` for several of them, and look them up when the processor has
-    // loaded their memory.
+    // To look up many states quickly: call `hash` and `prefetch` for several of them, and look them up when the
+    // processor has loaded their memory.
     [[nodiscard]] static std::uint64_t hash(StateView state);
     void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
-    // Several threads use the following functions for new states that they find at the same time. A state first gets a
-    // claim, which is a provisional number from `first_claim` on. Claims have the same order as the final numbers. If
-    // several threads find the same state, the smallest claim wins. When all threads have finished their claims, one
-    // thread calls `make_space`. Then several threads publish the remaining states with their final numbers, or drop
-    // them.
+    // With the following functions, several threads add the new states that they find at the same time. A state
+    // first gets a claim: a provisional number from `first_claim` on. Claims are ordered like the final numbers. If
+    // several threads find the same state, the smallest claim wins. When all threads have made their claims, one
+    // thread calls `make_space`. After that, several threads publish the claimed states with their final numbers, or
+    // drop them.
     static constexpr StateIndex most_claims = StateIndex{1} << 27U;
     static constexpr StateIndex first_claim = no_state - most_claims;
     struct Claim {
         StateIndex index =
-            no_state;  ///< the state's number, or its smallest provisional number; no_state: the table is full
+            no_state;  ///< the state's number, or its smallest claim so far; no_state if the table is full
         IndexTable::Slot slot;
     };
-    /// Claims the number for a state. `claims.row(number)` returns the state of a claim. `claims.keep_state(state)`
-    /// stores the state; it is called before the claim is made. `claims.lose_claim(number)` reports that another claim
-    /// has replaced this one.
+    /// Claims `number` for a state. Calls `claims.keep_state(state)`, which stores the state, before it makes the
+    /// claim. Calls `claims.lose_claim(n)` if a smaller claim replaces the claim n. `claims.row(n)` must return the
+    /// state of the claim n.
     template <class Claims>
     Claim claim(StateView state, std::uint64_t hash, StateIndex number, Claims& claims) {
         assert(state.size() == width_);
-        // A claim must differ from all numbers of states and from the number that marks a dropped state.
+        // Claims must not look like numbers of states, or like the number that marks a dropped state.
         assert(number >= first_claim && number != no_state && size_ <= first_claim);
         const auto same = [&](StateIndex index) {
             if (index < size_) return equals_state(row(index), state);
@@ -87,14 +87,14 @@ public:
         }
         return {index, slot};
     }
-    /// Sets the number of states and allocates their memory. The added states must then be published.
+    /// Sets the number of states and allocates their memory. Afterwards, the caller must publish the added states.
     void make_space(std::uint64_t states);
     void publish_state(const IndexTable::Slot& slot, StateIndex index, StateView state);
     static void give_up(const IndexTable::Slot& slot) { slot.set(no_state); }
 
     /// A function that calls `piece` with 0, 1, ... count-1, in any order and concurrently.
     using Sharing = std::function<void(std::size_t count, const std::function<void(std::size_t)>& piece)>;
-    /// Returns how many further states fit into the current table.
+    /// Returns how many states can be added before the table must grow.
     [[nodiscard]] std::uint64_t free_state_count() const {
         return table_.capacity() - std::min(table_.capacity(), size_);
     }
@@ -117,7 +117,7 @@ private:
     void rebuild_table(std::uint64_t states, const Sharing& share);
     template <class Add>
     bool add_states(StateIndex first, StateIndex end, const Add& add) const;
-    /// Compares the state with the one that has this number. Returns false for the number of a dropped state.
+    /// Returns true if the state with this number equals `state`. Returns false if the number marks a dropped state.
     [[nodiscard]] bool equals_state(StateIndex index, StateView state) const {
         return index < size_ && equals_state(row(index), state);
     }

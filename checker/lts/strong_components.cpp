@@ -7,8 +7,8 @@
 namespace robochart::lts {
 namespace {
 
-/// Tarjan's algorithm. It stores an edge only if the target has not been entered, and only while the source is on the
-/// path.
+/// Tarjan's algorithm. To save memory, it stores an edge only while its source is on the current path, and only if its
+/// target was not yet visited.
 class Tarjan {
 public:
     Tarjan(const GraphView& graph, const OnComponent& report)
@@ -48,7 +48,7 @@ private:
             if (!process_if_entered(*target)) ahead_.push_back(*target);
     }
 
-    /// If the target of an edge of the path's last vertex has been entered before, processes the edge and returns true.
+    /// If the vertex `to` has been visited, processes the edge from the end of the path to `to` and returns true.
     bool process_if_entered(StateIndex to) {
         if (number_[to] == 0) return false;
         assert(!path_.empty());
@@ -80,12 +80,12 @@ private:
     static constexpr std::uint32_t closed = no_state;
     const GraphView& graph_;
     const OnComponent& report_;
-    std::vector<std::uint32_t> number_;  // order of entering, counted from 1
+    std::vector<std::uint32_t> number_;  // by vertex: when it was first visited, counted from 1
     std::vector<std::uint32_t> low_;
     std::vector<Frame> path_;
-    std::vector<StateIndex> ahead_;  // targets of the path's vertices that have not been visited yet
+    std::vector<StateIndex> ahead_;  // for all vertices on the path: edges that must still be followed
     std::vector<StateIndex> targets_;
-    std::vector<StateIndex> open_;  // vertices whose component is incomplete
+    std::vector<StateIndex> open_;  // visited vertices whose component is not yet complete
     std::uint32_t count_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A system in which one state represents all its images under automorphisms (docs/search.md, "Symmetry").
+// A system that keeps only one of the states that symmetries map to each other (docs/search.md, "Symmetry").
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace robochart::lts {
 
-/// Its states are states of the original system. A transition leads to the representative of its original target. The
-/// event of a transition is the event that the source state performs, and not an image of this event.
+/// Its states are states of the original system. A transition leads to the representative of the state to which the
+/// original transition leads. Its event is the one that the source state performs, not an image of it.
 class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
 public:
-    /// `symmetry`: a symmetry of the system, or of the system that it reduces.
+    /// `symmetry` must be a symmetry of `system`, or of the system that `system` reduces.
     SymmetricSystem(std::unique_ptr<TransitionSystem> system, Symmetry symmetry);
 
     [[nodiscard]] std::size_t width() const override { return system_->width(); }

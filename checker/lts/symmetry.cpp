@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the states of replicas to rows of numbers that mean the same in all replicas of a set, so that a permutation
-// of replicas is a permutation of rows. In the representative of a state these rows are in ascending order.
+// Converts the state of each replica to a row of numbers. Equal numbers mean the same in all replicas of a set, so
+// permuting replicas permutes their rows. The representative of a state is the image in which these rows are ascending.
 #include "checker/lts/symmetry.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void Symmetry::read(const ReplicaSet& set, std::span<const std::uint32_t> state,
         for (const ReplicaPart& part : replica.parts) numbers.push_back((*part.number)[part.field.get(state)]);
 }
 
-/// Writes to each replica the row that `places` assigns to it.
+/// Writes a row to each replica. `places` says which row.
 void Symmetry::write(const ReplicaSet& set, const Numbers& numbers, const std::vector<std::size_t>& places,
                      std::span<std::uint32_t> state) {
     for (std::size_t i = 0; i < set.size(); ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A symmetry of a system permutes equal parts of the system's states and maps transitions to transitions
-// (docs/search.md, "Symmetry"). This file finds the representative of a state under the symmetries of a system.
-// Sources: Gibson-Robinson and Lowe, "Symmetry reduction in CSP model checking", STTT 2019; Clarke, Enders, Filkorn and
-// Jha, "Exploiting symmetry in temporal logic model checking", FMSD 1996.
+// A symmetry of a system permutes equal parts of its states and maps transitions to transitions (docs/search.md,
+// "Symmetry"). This file finds the representative of a state under the symmetries of a system. Sources: Gibson-Robinson
+// and Lowe, "Symmetry reduction in CSP model checking", STTT 2019; Clarke, Enders, Filkorn and Jha, "Exploiting
+// symmetry in temporal logic model checking", FMSD 1996.
 #pragma once
 
 #include <map>
@@ -15,31 +15,31 @@
 
 namespace robochart::lts {
 
-/// A permutation of events. It lists the pairs (event, image) in which both differ, ascending.
+/// A permutation of events: the pairs (event, image) whose elements differ, in ascending order.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// The place of one value of a replica inside a state, and a mapping from this value to a common number. Equal common
-/// numbers mean the same in all replicas. So two replicas are in the same state if all their common numbers are equal.
+/// One value of a replica: where a state stores it, and its common number, which means the same in every replica. So
+/// two replicas are in the same state if and only if all their common numbers are equal.
 struct ReplicaPart {
     Field field;
     std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< value to common number
     std::shared_ptr<const std::vector<std::uint32_t>> value;   ///< common number to value
 };
 
-/// One of several equal parts of a system's states.
+/// One of several equal parts of the states of a system.
 struct Replica {
     std::vector<ReplicaPart> parts;  ///< part i corresponds to part i of the first replica
-    EventPermutation exchange;       ///< how the exchange of the first replica and this one permutes events
+    EventPermutation exchange;       ///< the permutation of events if this replica and the first are exchanged
 };
 
-/// Two or more replicas that can all be exchanged with each other.
+/// Two or more replicas. Any two of them can be exchanged.
 using ReplicaSet = std::vector<Replica>;
 
-/// A group of automorphisms: all permutations of replicas within their sets. An automorphism maps each transition of a
-/// state to a transition of the image state, labelled with the image of the event. Tau and tick are their own images.
+/// A group of automorphisms: all permutations that keep each replica in its set. They map a transition of a state to a
+/// transition of the image state, whose event is the image of the event. They do not change tau and tick.
 class Symmetry {
 public:
-    /// For each set, a permutation of its replicas: replica i gets the state of replica `[i]`.
+    /// For each set, a permutation p of its replicas: replica i gets the state of replica p[i].
     using Permutation = std::vector<std::vector<std::size_t>>;
 
     /// The sets must be disjoint.
@@ -48,8 +48,8 @@ public:
     [[nodiscard]] const std::vector<ReplicaSet>& sets() const { return sets_; }
     /// Returns the number of replicas in the largest set, or 0 if there are no sets.
     [[nodiscard]] std::size_t replicas() const;
-    /// Returns the least event to which automorphisms map the event. The results for two events are equal if and only
-    /// if one event is an image of the other.
+    /// Returns the least event to which automorphisms can map `event`. Two events have the same result if and only if
+    /// one is an image of the other.
     [[nodiscard]] Event orbit_representative(Event event) const;
     /// Replaces a state by the representative of its images.
     void replace_by_representative(std::span<std::uint32_t> state);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the strongly connected components of the taus of a graph, and contracts them.
+// Computes the strongly connected components of a graph's taus. Contracts each of them to one state.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ struct TauComponents {
 
 [[nodiscard]] TauComponents tau_components(const Graph& graph);
 [[nodiscard]] TauComponents every_state_alone(const Graph& graph);
-/// Returns a graph with one state for each component, and a tau loop if the component is cyclic. The state for a
-/// component has the number of the component. So the initial state is component[0], and this number may differ from 0.
+/// Returns a graph with one state for each component. A cyclic component gets a tau loop. The states have the numbers
+/// of their components, so the initial state is component[0], which may differ from 0.
 [[nodiscard]] Graph contract_components(const Graph& graph, const TauComponents& components);
 
 }  // namespace robochart::lts

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Caches the results of confluence proofs. The key is a query and the states of the components that the query reads.
-// The table uses open addressing with linear probing (Knuth, The Art of Computer Programming 3, section 6.4): a search
-// makes several queries for each state, and a look-up usually reads only one cache line.
+// Caches the results of confluence proofs. A key consists of a query and the states of the components that the query
+// reads. The table uses open addressing with linear probing (Knuth, The Art of Computer Programming 3, section 6.4). A
+// search makes several queries for each state, and a look-up usually reads only one cache line.
 #pragma once
 
 #include <cassert>
@@ -21,7 +21,7 @@ public:
         if (entry.query == none) return std::nullopt;
         return entry.answer;
     }
-    /// Stores an answer. If the table already has an answer for this key, replaces it.
+    /// Stores an answer. Replaces an earlier answer for the same key.
     void store_answer(std::uint32_t query, std::uint64_t key, std::uint32_t answer);
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
@@ -34,9 +34,9 @@ private:
         std::uint32_t query = none;  ///< `none` if the entry is free
         std::uint32_t answer = 0;
     };
-    static constexpr std::size_t least = 1024;  ///< minimal number of entries; their number is a power of two
+    static constexpr std::size_t least = 1024;  ///< minimal number of entries; this number is always a power of two
 
-    /// Returns the index of the entry, or of a free entry for the key. At least a quarter of the entries is free.
+    /// Returns the index of the entry for the key, or of a free entry. A quarter of the table is always free.
     [[nodiscard]] std::size_t entry_index(std::uint32_t query, std::uint64_t key) const {
         const std::size_t mask = entries_.size() - 1;
         assert(query != none && (entries_.size() & mask) == 0 && size_ < entries_.size());

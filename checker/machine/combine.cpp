@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the operators of a skeleton to rules over its components. A vector lists the components that perform events
-// together, their events, and the resulting event. For each operator, one function converts the vectors of its operands
-// to its own vectors. The firing rules are stated in process/firing_rules.cpp and composition_rules.cpp.
+// Converts the operators of a skeleton to rules over its components. A vector describes one possible event: the
+// components that take part in it, their events, and the resulting event. Each operator has a function that converts
+// the vectors of its operands. process/firing_rules.cpp and composition_rules.cpp state the firing rules.
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -19,7 +19,7 @@ using process::tau;
 using process::Term;
 using process::tick;
 
-/// An action that puts the components below a node into their first states, or turns them off.
+/// Starts the components below a node in their first states, or turns them off.
 struct Action {
     NodeId node;
     bool start;
@@ -35,7 +35,7 @@ struct Vector {
 };
 using Vectors = std::vector<Vector>;
 
-/// Orders actions, so that rules with equal actions share their assignments.
+/// Compares the contents of actions, so that rules with equal actions share their assignments.
 struct LessActions {
     bool operator()(const Actions* a, const Actions* b) const { return *a < *b; }
 };
@@ -106,8 +106,8 @@ void Combiner::charge(std::size_t vectors) {
     charge_work(vectors);
 }
 
-/// Adds to the work that this compilation has done, and ends it if the work is too large. The number of rules alone is
-/// no measure, because a rule of deeply nested operators can contain a part or an action for each operator.
+/// Adds to the work of this compilation, and stops it if it is too much work. Counting rules is not enough: a rule of
+/// deeply nested operators may contain a part or an action for each operator.
 void Combiner::charge_work(std::size_t steps) const {
     constexpr std::size_t worth = 20;  // allowed work for each of `most_rules_`
     constexpr std::size_t between_polls = 1024;
@@ -117,8 +117,8 @@ void Combiner::charge_work(std::size_t steps) const {
     if (work_ > worth * most_rules_) throw NotCompiled("the rules are too large");
 }
 
-/// Puts the actions `first` before those of the vector, because later actions may restart components that these actions
-/// turn off.
+/// Puts `first` before the actions of the vector. `first` turns components off; later actions may start the same
+/// components again.
 void Combiner::prepend_actions(Vector& vector, const Actions& first) {
     vector.actions.insert(vector.actions.begin(), first.begin(), first.end());
 }
@@ -199,7 +199,7 @@ Vectors Combiner::operator_vectors(const Node& node, Region& region) {
     throw std::logic_error("an operator that is no part of a skeleton");
 }
 
-/// Adds all combinations of vectors with this event, one vector of each operand.
+/// Adds every combination of vectors with this event that takes one vector from each operand.
 void Combiner::synchronise_vectors(std::vector<const Vectors*> who, Event event, Vectors& out) {
     assert(!who.empty());
     Vectors open{Vector{event, event, {}, {}}};
@@ -346,7 +346,7 @@ Vectors Combiner::combine_interruptible(const Node& node, std::vector<Vectors> o
 //   P |~| Q: one tau for each operand, which starts it.      e -> P: each event starts its continuation.
 Vectors Combiner::combine_gated(const Node& node, std::vector<Vectors> operands) {
     Vectors result;
-    // A gate has only one state. For a choice its only event is tau; for a prefix, each branch has an operand.
+    // A gate has one state. The gate of a choice has only the event tau. In a prefix, each branch has an operand.
     assert(operands.size() == node.children.size() && (node.op == Op::prefix || operands.front().size() == 1));
     const NodeId gate = node.children.front();
     const auto open = [&](Vector by, NodeId starts) {
@@ -384,7 +384,7 @@ void Combiner::turn_off(NodeId id, std::vector<Assignment>& made) const {
         made.push_back({slot, static_cast<Local>(result_.components[slot]->size())});
 }
 
-/// Puts the components below a node into their first states. Operands that start later are off.
+/// Starts the components below a node in their first states. Operands that run later are turned off.
 void Combiner::start_operands(NodeId id, std::vector<Assignment>& made) const {
     const Node& node = skeleton_.nodes[id];
     charge_work(1);
@@ -404,7 +404,7 @@ void Combiner::start_operands(NodeId id, std::vector<Assignment>& made) const {
     }
 }
 
-/// Returns the assignments, sorted by slot. If several actions assign to one slot, only the last assignment remains.
+/// Returns the assignments, sorted by slot. If several actions assign a value to one slot, the last of them counts.
 std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
     std::vector<Assignment> made;
     for (const Action& action : actions) {
@@ -421,8 +421,8 @@ std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
     return made;
 }
 
-/// Returns, for each participant and event, the fraction of the participant's states in which it can perform the event.
-/// For inner regions, the fraction is an estimate.
+/// Returns, for each participant and event, in which fraction of the participant's states it can perform the event. The
+/// fraction of an inner region is an estimate.
 std::vector<std::vector<double>> Combiner::estimate_chances(const Region& region) const {
     std::vector<std::vector<double>> result;
     for (std::size_t who = 0; who < region.participants.size(); ++who) {
@@ -509,7 +509,7 @@ void Combiner::list_operands() {
     diagnostics::erase_repeated(operands, same);
 }
 
-/// Places components next to each other in words of 32 bits. No component crosses a word boundary.
+/// Places components in words of 32 bits, one next to the other. Each component fits into one word.
 void Combiner::pack_components() {
     std::vector<bool> may_be_off(result_.components.size(), false);
     const auto note = [&](std::uint32_t slot, Local value) {

@@ -51,7 +51,7 @@ private:
     std::unordered_map<std::uint32_t, Local> numbers_;
 };
 
-/// Collects the states of a compiled process in breadth-first order, with the names of hidden events.
+/// Collects the states of a compiled process in breadth-first order. Keeps the names of hidden events.
 class RowCollector final : private lts::SuccessorSink {
 public:
     RowCollector(lts::TransitionSystem& system, TermId meaning, std::size_t most_states)
@@ -85,12 +85,12 @@ private:
     ExplicitMachine found_;
 };
 
-/// If at most this many prefixes must be split, the compiler does not test whether splitting pays off.
+/// Up to this number of prefixes, the compiler splits them without a test whether this saves states.
 constexpr std::size_t few_prefixes = 16;
-/// A process with fewer states than this becomes one component if it would need many components.
+/// If a process needs many components but has at most this many states, it becomes one component.
 constexpr std::size_t few_states = 1000;
 
-/// Returns the machine without the names of hidden events, which compressions ignore.
+/// Returns the machine without the names of hidden events. Compressions do not depend on them.
 process::Machine without_names(const ExplicitMachine& explicit_machine) {
     process::Machine machine{{}, explicit_machine.meaning};
     for (const auto& row : explicit_machine.rows) {
@@ -102,7 +102,7 @@ process::Machine without_names(const ExplicitMachine& explicit_machine) {
     return machine;
 }
 
-/// Returns, for each component, the events that occur in a rule.
+/// Returns, for each component, which of its events occur in a rule.
 std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
     std::vector<std::vector<bool>> used;
     for (const ComponentPtr& component : combined.components) used.emplace_back(component->alphabet().size(), false);
@@ -141,7 +141,7 @@ ComponentPtr component_of(process::Machine machine) {
     return std::make_shared<const Component>(rows, std::move(machine.meaning));
 }
 
-/// Returns the outermost operands of parallel operators that hide events.
+/// Returns the operands of parallel operators that hide events somewhere inside. Of nested ones, returns the outermost.
 std::vector<TermId> hiding_operands(const Skeleton& skeleton) {
     std::vector<bool> hides(skeleton.nodes.size());
     for (std::size_t id = skeleton.nodes.size(); id-- > 0;) {  // children come after their parents
@@ -171,8 +171,8 @@ std::vector<TermId> hiding_operands(const Skeleton& skeleton) {
 Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bounds)
     : semantics_(semantics), bounds_(bounds) {}
 
-/// Explores a term and minimises the result. A machine that results from a compression is already minimal: no two of
-/// its states are branching bisimilar, so no two of them are strongly bisimilar.
+/// Explores a term and minimises the result. The machine of a compression needs no minimisation: no two of its states
+/// are branching bisimilar, so no two of them are strongly bisimilar.
 ComponentPtr Compiler::explore_component(TermId term, diagnostics::Pollable& budget) {
     Exploration exploration(semantics_, bounds_.component_states, stage_.states);
     stage_.component = term;
@@ -206,7 +206,7 @@ ComponentPtr Compiler::component(TermId term, diagnostics::Pollable& budget) {
     return components_[term] = explore_component(term, budget);
 }
 
-/// Returns true if the process, run as a term, has few states. The transitions that are computed here are cached.
+/// Returns true if the term reaches few states. Its transitions are then cached, so this work is not lost.
 bool Compiler::is_small(TermId term, diagnostics::Pollable& budget) {
     std::size_t states = 0;
     try {
@@ -217,8 +217,8 @@ bool Compiler::is_small(TermId term, diagnostics::Pollable& budget) {
     }
 }
 
-/// Returns the gate of an operator (see combine.cpp): a component with one state and a loop for every first event of
-/// the operator.
+/// Returns the gate of an operator (see combine.cpp). It has one state, and a loop for each event with which the
+/// operator can start.
 ComponentPtr Compiler::make_gate(const Node& node) const {
     process::TermStore& terms = semantics_.terms();
     std::vector<Component::RawEdge> row;
@@ -246,8 +246,8 @@ std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, diagnos
     return result;
 }
 
-/// Builds the skeleton without the compressions whose operands are too large. It tries each compression before the
-/// compressed term becomes a component.
+/// Builds the skeleton. Compressions whose operands are too large are left out. To find them, compresses each candidate
+/// before it becomes a component.
 std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves, diagnostics::Pollable& budget) {
     constexpr int deepest_call = 100;
     process::TermStore& terms = semantics_.terms();
@@ -266,7 +266,7 @@ std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& 
     }
 }
 
-/// Returns the inner prioritised processes whose components together have few states, outermost first.
+/// Returns the terms of prioritise inside the process whose components together have few states, outermost first.
 std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const {
     std::set<TermId> result;
     for (const Node& node : skeleton.nodes) {
@@ -290,8 +290,8 @@ ComponentPtr Compiler::region(TermId term, diagnostics::Pollable& budget) {
                minimise_component(RowCollector(*system, term, bounds_.compressed_states).run(budget), budget);
 }
 
-/// Adds the largest parts of the process that can be compressed. Parts are operands of parallel operators that hide
-/// events. If an operand has too many states, looks for smaller parts inside it.
+/// Adds the largest parts of the process that can be compressed. A part is an operand of a parallel operator, and hides
+/// events. If an operand has too many states, searches it for smaller parts.
 void Compiler::find_parts(TermId term, std::set<TermId>& parts, diagnostics::Pollable& budget) {
     constexpr std::size_t deepest_part = 50;
     const DepthGuard guard(depth_of_parts_);
@@ -314,9 +314,9 @@ void Compiler::compress_parts(TermId term, diagnostics::Pollable& budget) {
     });
 }
 
-/// Makes the part one component: its quotient under branching bisimilarity that respects divergence, which is a
-/// congruence for all operators above the part (bisimulation.hpp). Returns false if the part has too many states, if
-/// all parts so far have too many states in total, or if the part is already one component.
+/// Replaces the part by one component: its quotient under branching bisimilarity with explicit divergence. This
+/// equivalence is a congruence for all operators above the part (bisimulation.hpp). Returns false if the part has too
+/// many states, if all parts so far together have too many, or if the part already is one component.
 bool Compiler::compress_part(TermId term, diagnostics::Pollable& budget) {
     if (const auto known = parts_.find(term); known != parts_.end()) return known->second;
     if (states_of_parts_ > bounds_.part_states || components_.contains(term)) return false;
@@ -344,7 +344,7 @@ bool Compiler::has_compressed_parts() const {
     return std::ranges::any_of(parts_, [](const auto& part) { return part.second; });
 }
 
-/// Returns the component as it was before its minimisation. The components inside a region are not minimised either.
+/// Returns the component before it was minimised. The components inside a region are not minimised either.
 ComponentPtr Compiler::unminimised_component(const Node& node, diagnostics::Pollable& budget) {
     if (node.kind == Node::Kind::gate) return make_gate(node);
     ExplicitMachine machine;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiles a term to component machines and rules, if its operators allow this. Otherwise the term itself is the
-// transition system.
+// Compiles a term to component machines and rules if the operators of the term allow this. Otherwise the states of the
+// search are terms.
 #pragma once
 
 #include <map>
@@ -18,58 +18,58 @@
 
 namespace robochart::machine {
 
-/// Limits of the compilation. If a process exceeds them, it is not compiled and is run as a term.
+/// Limits of the compilation. A process that exceeds them is not compiled; it is searched as terms.
 struct Bounds {
     std::size_t component_states = 200'000;
     std::size_t rules = 2'000'000;
-    /// Components with at most this many states are minimised by strong bisimilarity, which preserves every model (FDR
-    /// does the same).
+    /// Components with at most this many states are minimised. Strong bisimilarity preserves every model. (FDR does the
+    /// same.)
     std::size_t minimised_states = 50'000;
-    /// An inner prioritise becomes one explicit component if its components together have fewer states than this.
-    /// Otherwise the events that prioritise prevents would be computed again in every state of the whole process.
+    /// A prioritise inside the process becomes one component if its components together have at most this many states.
+    /// Otherwise every state of the process would compute again which events are prevented.
     std::size_t region_states = 100'000;
-    /// A compression is omitted if its operand has more states than this. If the compression permits the reduction by
-    /// confluent taus, only the states that remain after it are counted.
+    /// A compression is omitted if its operand has more states than this. If the compression permits confluent taus to
+    /// be followed, only the states that remain are counted.
     std::size_t compressed_states = 2'000'000;
-    /// Whether the operands of parallel operators that hide events are compressed before they are combined (inductive
-    /// compression; docs/search.md, "Compressed parts"). This preserves T, F and FD, but not the steps of a run.
+    /// Whether to compress the operands of parallel operators that hide events, before they are combined (inductive
+    /// compression; docs/search.md, "Compressed parts"). Preserves T, F and FD, but not the steps of a run.
     bool compress_parts = false;
-    /// With `compress_parts`: the maximal number of states of all parts in total.
+    /// The maximal total number of states of all parts, if `compress_parts` is true.
     std::size_t part_states = 200'000;
 };
 
-/// Compiles processes, which are terms of one store. It remembers the components of these processes, so that equal
-/// terms are explored only once.
+/// Compiles processes, which are terms of one store. Keeps their components, so that a term is explored only once even
+/// if several processes contain it.
 class Compiler {
 public:
     explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
 
-    /// Returns the compiled process, or null if it cannot be compiled. This happens in four cases. The process has no
-    /// parallel operator, or it has few states and reaches a parallel operator only after many events. A component has
-    /// too many states. A component cannot be explored separately, because it contains an evaluation error that the
-    /// whole process may never reach. There are too many rules. The compiler must outlive every system that
-    /// make_finer_system of the result returns. Polls the budget and passes on process::Interrupted.
+    /// Returns the compiled process, or null in four cases. (1) The process has no parallel operator, or it has few
+    /// states and reaches one only after many events. (2) A component has too many states. (3) A component cannot be
+    /// explored alone, because an evaluation fails that the whole process may never need. (4) There are too many rules.
+    /// The compiler must outlive every result of make_finer_system of the returned system. Polls the budget. Throws
+    /// process::Interrupted.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, diagnostics::Pollable& budget);
-    /// Takes over the components that another compiler of the same terms has explored, but not its compiled processes.
+    /// Copies the components that another compiler of the same store has explored, but no compiled processes.
     void add_components_of(const Compiler& other);
-    /// Compresses the parts of the process, as compile() does before it combines them. Requires Bounds::compress_parts.
-    /// Polls the budget.
+    /// Compresses the parts of the process now; compile() would do it later. Requires Bounds::compress_parts. Polls the
+    /// budget.
     void compress_parts(TermId term, diagnostics::Pollable& budget);
     /// Returns true if a part of some compiled process was compressed (Bounds::compress_parts).
     [[nodiscard]] bool has_compressed_parts() const;
-    /// Returns the factor by which the compression of parts reduces the states: the product, over all compressed parts,
-    /// of their numbers of states before the compression divided by those after it.
+    /// Returns how much smaller the compression makes the process: the product, over all compressed parts, of the
+    /// number of states before the compression divided by the number after it.
     [[nodiscard]] double shrinkage() const { return shrinkage_; }
-    /// The current or last exploration, for the display of progress and for messages about limits.
+    /// What the compiler explores, or has explored last. Used to show progress and in messages about limits.
     struct Stage {
         std::optional<TermId> component;
         std::size_t number = 0, of = 0;  ///< counted from 1
         std::size_t states = 0;          ///< states of this component found so far
     };
     [[nodiscard]] const Stage& current_stage() const { return stage_; }
-    /// Returns a machine that is equivalent to the compiled process up to `up_to`. It has all states, or only those
-    /// that remain after confluent taus (reduced_system.hpp). Returns no value if the process cannot be compiled.
-    /// Throws process::TooManyStates.
+    /// Returns a machine that is equivalent to the compiled process up to `up_to`. It may leave out states from which
+    /// confluent taus are followed (reduced_system.hpp). Returns no value if the process cannot be compiled. Throws
+    /// process::TooManyStates.
     [[nodiscard]] std::optional<process::Machine> explore(TermId term, lts::Equivalence up_to,
                                                           diagnostics::Pollable& budget);
 
@@ -97,16 +97,16 @@ private:
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
     std::map<TermId, ComponentPtr> components_;
-    std::set<TermId> regions_;         ///< terms whose components are compiled processes
-    std::map<TermId, bool> parts_;     ///< by tried part: whether it was compressed
-    std::size_t states_of_parts_ = 0;  ///< total number of their states before compression
+    std::set<TermId> regions_;         ///< terms of whole compiled processes that became components
+    std::map<TermId, bool> parts_;     ///< for each part that was tried: whether it was compressed
+    std::size_t states_of_parts_ = 0;  ///< number of states of all parts before their compression
     std::size_t depth_of_parts_ = 0;
     double shrinkage_ = 1;
     Stage stage_;
 };
 
-/// Compresses machines that the compiler has explored. The semantics needs its compressor first, and the compiler needs
-/// the semantics. So the compiler is set afterwards.
+/// Compresses machines that the compiler has explored. The semantics needs its compressor before the compiler exists,
+/// because the compiler needs the semantics. So the compiler is set later.
 class MachineCompressor final : public process::Compressor {
 public:
     void set_compiler(Compiler& compiler) { compiler_ = &compiler; }

@@ -18,26 +18,26 @@ using process::Event;
 using process::EventSet;
 using process::TermId;
 
-/// A state of one component. The value `size()` means that the component is off: it has not started, or it has ended.
+/// A state of one component. `size()` represents the state "off": the component has not started, or it has ended.
 using Local = std::uint32_t;
 
-/// An explicit machine whose events are numbered by their index in its alphabet. State 0 is the initial state.
+/// An explicit machine. Edges refer to events by their index in the alphabet. State 0 is the initial state.
 class Component {
 public:
     struct Edge {
         std::uint32_t event;  ///< index in the alphabet
-        Event revealed;       ///< for tau, the event that hiding made invisible, or tau; otherwise the event
+        Event revealed;       ///< for tau: the event that was hidden, or tau itself; otherwise the event
         Local target;
     };
     using Edges = std::span<const Edge>;
 
-    /// An edge of a machine that is being built. It contains the event itself and not its index.
+    /// An edge of a machine that is being built. Unlike Edge, it contains the event itself.
     struct RawEdge {
         Event event;
         Event revealed;
         Local target;
     };
-    /// `rows`: for each state, its edges ordered by event. `meaning`: for each state, a term that it represents.
+    /// `rows` contains the edges of each state, ordered by event. `meaning` contains a term for each state.
     Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<TermId> meaning);
 
     [[nodiscard]] std::size_t size() const { return meaning_.size(); }
@@ -63,7 +63,7 @@ private:
     std::vector<TermId> meaning_;
     std::vector<std::uint32_t> first_;
     std::vector<Edge> edges_;
-    std::vector<std::uint32_t> by_event_;  // index: state * (alphabet + 1) + event; empty if it would be large
+    std::vector<std::uint32_t> by_event_;  // index: state * (alphabet + 1) + event; not built if it would be large
 };
 
 using ComponentPtr = std::shared_ptr<const Component>;

@@ -24,7 +24,7 @@ std::size_t count_distinct(std::vector<Colour> colours) {
     return static_cast<std::size_t>(std::unique(colours.begin(), colours.end()) - colours.begin());
 }
 
-/// Computes colours for states and events. States or events that correspond in isomorphic components get equal colours.
+/// Computes colours of states and events. A mapping between two components maps equal colours to each other.
 class Refinement {
 public:
     Refinement(const Component& component, const std::vector<std::uint64_t>& role, diagnostics::Pollable& budget)
@@ -32,7 +32,7 @@ public:
         states_.front() = 2;
     }
 
-    /// Refines the colours in rounds until a round distinguishes no more states or events than the round before it.
+    /// Refines the colours in rounds. Stops when a round finds no further difference between states or events.
     void run() {
         std::size_t edges = 1;
         for (Local state = 0; state < component_.size(); ++state) edges += component_.edges(state).size();
@@ -48,8 +48,8 @@ public:
     [[nodiscard]] const std::vector<Colour>& events() const { return events_; }
 
 private:
-    /// Computes the new colours. The new colour of a state depends on its old colour and on the colours of all adjacent
-    /// edges, independently of the order of the edges.
+    /// Computes new colours. The colour of a state results from its old colour and from the colours of all adjacent
+    /// edges. The order of the edges has no effect.
     void refine_colours() {
         std::vector<Colour> states = states_;
         std::vector<Colour> events = events_;
@@ -73,8 +73,8 @@ private:
     diagnostics::Pollable& budget_;
 };
 
-/// Returns the states in the order of a breadth-first search that takes edges by the rank of their event, then by
-/// colour.
+/// Returns the states in breadth-first order. The search takes edges in the order of the ranks of their events, then of
+/// the colours of their targets.
 std::vector<Local> search_order(const Component& component, const std::vector<std::uint32_t>& rank,
                                 const std::vector<Colour>& colour) {
     std::vector<Local> order{0};

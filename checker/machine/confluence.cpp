@@ -12,12 +12,12 @@ using process::tau;
 namespace {
 
 constexpr std::size_t most_answers = 4'000'000;  // maximal number of stored answers
-/// Maximal number of joint states of the tracked components in one proof.
+/// The maximal number of states that one proof examines. A state here contains only tracked components.
 constexpr std::size_t most_together = 500;
-/// Maximal number of components that a proof may track in addition to the rule's parts.
+/// How many components a proof may track in addition to those in the rule.
 constexpr std::size_t most_beside = 4;
 
-/// Values in the table that mean an answer. All other values are the number of another query.
+/// In the table, these two values are answers. Any other value is the number of another query.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t yes = no - 1;
 
@@ -58,8 +58,8 @@ void Confluence::count_offers() {
     }
 }
 
-/// Lists each candidate at one of its components. This is the component that can perform its event in the fewest of its
-/// states.
+/// Lists each candidate once, for quick look-up. It is listed at the component that can perform its event in the
+/// smallest fraction of its states.
 void Confluence::list_candidates(lts::Followed followed) {
     const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
@@ -114,7 +114,7 @@ std::vector<Confluence::RuleNumber> Confluence::make_entry(std::uint32_t slot, L
     return result;
 }
 
-/// Returns true if condition 3 fails for this state of the component in all states of the other components.
+/// Returns true if condition 3 fails in this state of the component, for all states of the other components.
 bool Confluence::never_commutes(RuleNumber number, std::uint32_t slot, Local local) const {
     const WholeRule& rule = rules_->rules[number];
     for (const Component::Edge& edge : component(slot).edges(local))
@@ -134,8 +134,8 @@ std::uint64_t Confluence::state_key(const Tracked& tracked, Locals state) {
     return result;
 }
 
-/// Returns the number of the set that tracks these components for the rule. If the plan replaces this set, returns the
-/// number of the replacement. Returns `no` if there is none, or if the states are too many for keys.
+/// Returns the number of the query that tracks these components for the rule. If the plan replaces this query, returns
+/// the number of its replacement. Returns `no` if there is none, or if a key cannot represent all states.
 std::uint32_t Confluence::find_tracked_set(RuleNumber rule, Slots slots) {
     const auto [known, fresh] = numbers_.try_emplace({rule, std::move(slots)}, no);
     if (!fresh) return known->second;
@@ -159,14 +159,14 @@ std::uint32_t Confluence::make_entry(RuleNumber rule, Slots slots) {
     }
     std::vector<char> has(combined_->components.size());
     for (const std::uint32_t slot : slots) has[slot] = 1;
-    assert(tracked_.size() < yes);  // the numbers of queries differ from the other answers
+    assert(tracked_.size() < yes);  // a query's number must differ from `yes` and `no`
     tracked_.push_back({rule, std::move(slots), std::move(weights), std::move(has), nullptr, 0, 0, 0, 0, {}});
     return static_cast<std::uint32_t>(tracked_.size() - 1);
 }
 
 namespace {
 
-/// Returns the work of the proofs, in the unit of `work_of_a_state`.
+/// Returns the work of the proofs. The unit is the same as for `work_of_a_state`.
 double work(const ProofRecord::Sum& sum) {
     constexpr double of_a_state = 4;  // in addition to the work for its rules
     return static_cast<double>(sum.rules) + of_a_state * static_cast<double>(sum.looked);
@@ -177,8 +177,8 @@ bool known_well(const ProofRecord::Sum& sum) {
     return work(sum) >= enough;
 }
 
-/// Returns true if the saved work exceeds the work of the proofs. A followed tau removes at most one state. Because
-/// this also saves memory, a proof may take more work than a state.
+/// Returns true if the proofs save more work than they take. A followed tau removes at most one state. This also saves
+/// memory, so a proof may take twice as much work as a state.
 bool worth_it(const ProofRecord::Sum& sum, double work_of_a_state) {
     constexpr double most_for_a_state = 2;
     return sum.proofs > 0 &&
@@ -202,8 +202,8 @@ ProofPlan ProofRecord::plan(double work_of_a_state) const {
     return result;
 }
 
-/// Returns true if proofs that begin with this query pay off, possibly because later queries succeed. (Each next query
-/// tracks more components.)
+/// Returns true if proofs that begin with this query save work, perhaps because a later query succeeds. The recursion
+/// ends, because each next query tracks more components.
 bool ProofRecord::leads_to_proofs(const Key& key, double work_of_a_state) const {
     const auto known = sums_.find(key);
     if (known == sums_.end()) return false;
@@ -240,8 +240,8 @@ Slots Confluence::parts_of(RuleNumber rule) const {
     return slots;
 }
 
-/// Among the selected components that perform an event in the rule, returns the one that can perform it in the fewest
-/// of its states.
+/// Returns the component for which to list the rule. Of the selected components that perform an event in the rule, it
+/// is the one that can perform its event in the smallest fraction of its states.
 std::uint32_t Confluence::rarest_component(const WholeRule& rule, const std::vector<char>& has) const {
     const Part* rarest = nullptr;
     for (const Part& part : rule.parts) {
@@ -252,8 +252,8 @@ std::uint32_t Confluence::rarest_component(const WholeRule& rule, const std::vec
     return rarest->slot;
 }
 
-/// Returns the rules in which the tracked component at this place performs the event. Omits the rules that have another
-/// tracked component which can perform its event more rarely.
+/// Returns the rules in which the tracked component at this place performs the event. Omits a rule if another tracked
+/// component can perform its event in this rule more rarely: the rule is listed there.
 const std::vector<Confluence::RuleNumber>& Confluence::rules_asking(const Tracked& tracked, std::size_t place,
                                                                     std::uint32_t event) const {
     assert(tracked.asking != nullptr && tracked.asking->size() == tracked.slots.size());
@@ -265,8 +265,8 @@ const std::vector<Confluence::RuleNumber>& Confluence::rules_asking(const Tracke
     return known->second;
 }
 
-/// Returns the query that also tracks the components of another rule: the first of `others` that has some untracked
-/// components, but not too many.
+/// Returns a query that also tracks the components of another rule. This rule is the first of `others` that adds at
+/// least one component, but not too many.
 Confluence::Next Confluence::find_larger_tracked_set(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
     const Slots& before = tracked_[number].slots;
@@ -288,8 +288,8 @@ void Confluence::store_answer(std::uint32_t number, std::uint64_t key, std::uint
     answers_.store_answer(number, key, answer);
 }
 
-/// Computes the states of the tracked components that other rules can reach while the rule can fire. The rule is
-/// confluent in all of these states or in none of them: they are the greatest set that condition 3 allows.
+/// Computes which states of the tracked components other rules can reach while the rule can fire. These states are the
+/// greatest set that condition 3 allows. The rule is confluent in all of them, or in none.
 class Confluence::Closure {
 public:
     explicit Closure(const Confluence& all) : all_(all) {}
@@ -317,15 +317,15 @@ public:
     [[nodiscard]] const std::vector<std::uint64_t>& state_keys() const { return keys_; }
     /// Returns the number of rules that the last proof examined.
     [[nodiscard]] std::uint64_t rules() const { return next_.rules; }
-    /// After a failed proof, returns the rule that disturbs it, followed by the rules on the path to the state of the
-    /// failure, in reverse order.
+    /// After a failed proof: the rule for which a condition failed, and then the rules on the path to the state of the
+    /// failure, last rule first.
     [[nodiscard]] const std::vector<RuleNumber>& blamed_rules() const { return blamed_; }
-    /// After a failed proof, returns the keys of the states on the path, from the state of the failure back to the
-    /// first state. The rules between the n-th of these states and the failure are the first n - 1 of blamed_rules().
+    /// After a failed proof: the keys of the states on the path, from the state of the failure back to the first state.
+    /// Between the n-th of these states and the failure are the first n - 1 rules of blamed_rules().
     [[nodiscard]] const std::vector<std::uint64_t>& led_on() const { return led_on_; }
 
 private:
-    /// Up to this number, keys are searched linearly; more keys are put into a set.
+    /// With at most this many keys, a linear search is used instead of a set.
     static constexpr std::size_t few = 16;
 
     void begin(const Tracked& tracked, std::size_t width) {
@@ -395,11 +395,11 @@ std::uint32_t Confluence::find_answer(std::uint32_t number, Locals state) {
     return known ? *known : prove_answer(number, here, state);
 }
 
-/// Proves the answer to a query, and stores it. The answer depends only on the states of the tracked components, and so
-/// does the next query. If a proof fails, a proof that begins with a state on the path to the failure fails at the same
-/// state: the search for this state is breadth first, so no shorter path leads to a state in which a condition fails.
-/// So all states on the path have the same answer. One of the rules of the failed proof determines the next query. A
-/// state on the path gets no next query if this rule comes before the state.
+/// Proves the answer to a query, and stores it. The answer and the next query depend only on the states of the tracked
+/// components. A failed proof gives the answer for every state on the path to the failure: a proof from such a state
+/// would fail at the same state. (The search is breadth first, so no shorter path leads to a failure.) One rule of the
+/// failed proof determines the next query. A state on the path gets no next query if this rule fires before the path
+/// reaches that state.
 std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here, Locals state) {
     if (tracked_[number].asking == nullptr) {
         Asking& asking = asking_[tracked_[number].slots];
@@ -417,7 +417,7 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
         return yes;
     }
     const Next next = find_larger_tracked_set(number, closure.blamed_rules());
-    // The sequence of queries ends, because each query tracks more components than the previous one.
+    // Each query tracks more components than the previous one, so the sequence of queries ends.
     assert(next.number == no || tracked_[next.number].slots.size() > tracked_[number].slots.size());
     if (next.number != no) ++tracked_[number].next[next.number];
     for (std::size_t i = 0; i < closure.led_on().size(); ++i)
@@ -426,11 +426,11 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
     return next.number;
 }
 
-/// Checks conditions 2 to 4 in these states of the tracked components. The other states in `state` are not read. `next`
-/// receives the states of the tracked components in which the conditions must also hold. `disturbing` receives the rule
-/// for which the conditions fail. `state` is changed temporarily. A rule that needs events of several tracked
-/// components is examined only at one of them and only if this component can perform its event. Otherwise the rule
-/// cannot fire.
+/// Checks conditions 2 to 4 in `state`. Reads only the tracked components, and changes them temporarily.
+/// `next` receives the states in which the conditions must hold, too. If the conditions fail because of a
+/// rule, `disturbing` receives this rule. If a rule needs events of several tracked components, it is
+/// examined only for one of them, and only if this component can perform its event. Otherwise the rule cannot
+/// fire.
 bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
@@ -468,7 +468,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
     return true;
 }
 
-/// Checks condition 2: every part is possible and has exactly one result.
+/// Checks condition 2: every component of the rule can perform its event, with exactly one result.
 bool Confluence::is_deterministic(const WholeRule& rule, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
         if (!part.event) return true;
@@ -478,8 +478,8 @@ bool Confluence::is_deterministic(const WholeRule& rule, Locals state) const {
     });
 }
 
-/// Returns true if some tracked component cannot perform its event of the rule `other`, or if the tracked rule prevents
-/// `other`.
+/// Returns true if the rule `other` cannot fire: a tracked component cannot perform its event, or the tracked rule
+/// prevents `other`.
 bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Locals state) const {
     return shares_region(rules_->rules[tracked.rule].preventing, other.prevented) ||
            std::ranges::any_of(other.parts, [&](const Part& part) {
@@ -488,7 +488,7 @@ bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Loc
            });
 }
 
-/// Returns true if the components that take part in both rules reach the same states in either order.
+/// Returns true if both rules, applied in either order, lead the components that they share to the same states.
 bool Confluence::commutes_with(const WholeRule& rule, const WholeRule& other, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
         const Part* const theirs = other.find_part(part.slot);
@@ -513,8 +513,8 @@ bool Confluence::commutes_with(const Part& part, const Part& other, Local local)
     });
 }
 
-/// Adds the states of the tracked components to which the rule `other` can lead. The parts of the rule before index
-/// `place` have already been applied.
+/// Adds the states of the tracked components that the rule `other` can reach from `state`. Its parts before `place`
+/// have already been applied.
 void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                               Outcomes& next) const {
     const std::vector<Part>& parts = rules_->rules[other].parts;
@@ -539,7 +539,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
     assert(next.states.size() == next.by.size() * state.size());
 }
 
-/// Returns true if all edges for this part lead from the state back to the same state.
+/// Returns true if the part does not change this state: all edges for its event lead back to the state.
 bool Confluence::stays_unchanged(const Part& part, Local local) const {
     if (part.assigned || !part.event) return false;
     const Component::Edges edges = component(part.slot).edges(local, *part.event);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides by rules which taus of a compiled process are confluent (docs/search.md, "Confluent taus", contains the
-// statement and the proof). If only deadlocks matter, steps with any event may be confluent (docs/search.md,
-// "Deadlocks"). Sources: Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000; Blom
-// and van de Pol, "State space reduction by proving confluence", CAV 2002.
+// Decides which taus of a compiled process are confluent, by examining its rules (docs/search.md, "Confluent taus",
+// contains the statement and the proof). If only deadlocks matter, steps with any event may be confluent
+// (docs/search.md, "Deadlocks"). Sources: Groote and van de Pol, "State space reduction using partial tau-confluence",
+// MFCS 2000; Blom and van de Pol, "State space reduction by proving confluence", CAV 2002.
 #pragma once
 
 #include <cstdint>
@@ -25,17 +25,17 @@ namespace robochart::machine {
 
 /// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// A plan lists the queries whose proofs seldom succeed, so that they are skipped. The key of an entry consists of the
-/// slots of a rule's parts and the slots that the skipped query tracks. The value contains the slots that are tracked
-/// instead. If the value is empty, the proof is assumed to fail.
+/// A plan says which queries to skip because their proofs seldom succeed. Key: the slots of the rule's parts, and the
+/// slots that the skipped query tracks. Value: the slots to track instead. If the value is empty, nothing is tracked
+/// and the step is taken as not confluent.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
-/// Records the costs and results of proofs. They are summed over all rules with the same components, because one
-/// channel causes many such rules (one for each value).
+/// Records how much work proofs took and what they achieved. Rules with the same components are added up, because one
+/// channel gives many such rules, one for each value.
 class ProofRecord {
 public:
-    /// The costs and results of proofs that track the same components. `next`: after a failed proof, how often each
-    /// other set of components was tracked next.
+    /// The sum for all proofs that track the same components. `next`: how often each other set of components was
+    /// tracked after a failed proof.
     struct Sum {
         std::uint64_t proofs = 0;  ///< number of successful proofs
         std::uint64_t looked = 0;  ///< number of states examined by proofs
@@ -45,8 +45,8 @@ public:
     };
 
     [[nodiscard]] Sum& sum_of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
-    /// Returns the queries that should be skipped if computing the successors of a state takes this much work. Their
-    /// proofs never succeeded, or took more work than they saved.
+    /// Returns the queries to skip: their proofs never succeeded, or took more work than they saved. `work_of_a_state`
+    /// is the work of computing the successors of one state.
     [[nodiscard]] ProofPlan plan(double work_of_a_state) const;
 
 private:
@@ -56,49 +56,49 @@ private:
     std::map<Key, Sum> sums_;
 };
 
-/// Returns true if steps by this rule may be followed: the rule has a suitable event, and this event has the first
-/// level in all regions of the rule (condition 1).
+/// Returns true if steps by this rule may be followed: it has a suitable event. In all regions of the rule, the event
+/// must have the first level (condition 1).
 [[nodiscard]] bool is_candidate(const WholeRule& rule, lts::Followed followed);
 
-/// Proves that steps are confluent, and caches the results. A proof depends only on the rule of the step and on the
-/// current states of the components in the query. The answers do not depend on earlier queries.
+/// Proves that steps are confluent, and caches the results. A proof only uses the rule of the step and the states of
+/// the components that its query tracks. Earlier queries do not change an answer.
 class Confluence {
 public:
-    /// `plan`: a plan for a system with the same rules. It affects which steps are followed.
+    /// `plan` must come from a system with the same rules. It affects which steps are followed.
     Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
                lts::Followed followed, ProofPlan plan);
     Confluence(const Confluence&) = delete;
     Confluence& operator=(const Confluence&) = delete;
     ~Confluence();
 
-    /// Finds the first step of the state that is proved to be confluent, and performs it. `state` contains the states
-    /// of the components. Returns false if there is no such step.
+    /// Performs the first step from `state` that is proved to be confluent. `state` contains the states of all
+    /// components. Returns false if there is no such step.
     bool follow_step(std::span<Local> state);
-    /// Adds the costs and results of the proofs so far to the record.
+    /// Adds the work and the results of all proofs so far to the record.
     void add_to(ProofRecord&) const;
-    /// Returns the total work so far, in the unit of `work_of_a_state`.
+    /// Returns the work so far. The unit is the same as for `work_of_a_state`.
     [[nodiscard]] double total_work() const;
 
 private:
     using RuleNumber = std::uint32_t;
     /// The states of all components. Only the states of tracked components are read.
     using Locals = std::span<const Local>;
-    /// The rules in which tracked components perform an event. Each rule is listed only once: under one of these
-    /// components, and under the event that the rule requires of this component. So a proof examines the rule only if
-    /// that component can perform the event. The list of an event is computed when a proof first reads a state with
-    /// this event.
+    /// For a set of tracked components: the rules in which they perform an event. Each rule is listed once, for
+    /// one of these components and for its event in the rule. So a proof examines a rule only if that component
+    /// can perform that event. The list for an event is computed when a proof first finds this event in a
+    /// state.
     using Asking = std::vector<std::unordered_map<std::uint32_t, std::vector<RuleNumber>>>;
-    /// A query: a rule and the components whose current states its proofs read, with the statistics of these proofs.
+    /// A query: is the rule confluent if only the states of these components are known? With statistics of its proofs.
     struct Tracked {
         RuleNumber rule = 0;
         Slots slots;                         ///< ascending: the rule's parts, and further components
         std::vector<std::uint64_t> weights;  ///< weight of each component's state in keys
-        std::vector<char> has;               ///< for each slot: whether `slots` contains it
+        std::vector<char> has;               ///< for each slot of the process: whether it is tracked
         Asking* asking = nullptr;            ///< the rules for these slots; null before the first proof
         std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
         std::map<std::uint32_t, std::uint64_t> next;  ///< how often each other query followed a failed proof
     };
-    /// The states to which other rules lead; for each state, the rule that leads to it.
+    /// The states that other rules can reach, and which rule leads to each of them.
     struct Outcomes {
         std::vector<Local> states;  ///< states of all components, one after the other
         std::vector<RuleNumber> by;
@@ -142,10 +142,10 @@ private:
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
     ProofPlan plan_;
-    // By slot and event: the fraction of the states of the component in which it can perform the event.
+    // By slot and event: in which fraction of its states the component can perform the event.
     std::vector<std::vector<double>> share_;
-    std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the candidates listed there
-    // By slot and state: one more than the index of the list in lists_; 0 if the list has not been made.
+    std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the candidates listed for them
+    // By slot and state: the index of the list in lists_, plus one. 0 if the list has not been made yet.
     std::vector<std::vector<std::uint32_t>> known_;
     std::vector<std::vector<RuleNumber>> lists_;
     std::deque<Tracked> tracked_;

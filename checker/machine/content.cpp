@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the content of a compiled process. Data that can be derived from the rest are omitted: leading edges, rules by
-// event, and estimated frequencies of events.
+// Writes the content of a compiled process. Omits data that follow from the rest: leading edges, rules by event, and
+// estimates of how often an event is possible.
 #include "checker/machine/content.hpp"
 
 namespace robochart::machine {

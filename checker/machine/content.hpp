@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the content of a compiled process: the data that determine its transitions, independent of the session that
-// compiled the process. Compiled processes with equal content have equal packed states, and searches of them are equal.
-// The content does not include the terms of states.
+// Computes the content of a compiled process: all data that determine its transitions. It does not depend on the
+// session that compiled the process, and does not include the terms of states. Processes with equal content have equal
+// packed states, and searches of them give equal results.
 #pragma once
 
 #include "base/cache/digest.hpp"
@@ -10,8 +10,8 @@
 
 namespace robochart::machine {
 
-/// Numbers events by their indices in an ascending list. If two sessions give the events different numbers in the same
-/// order, they still compute the same content.
+/// Numbers events by their index in an ascending list. Two sessions may give an event different numbers. As long as
+/// both order the events in the same way, they compute the same content.
 class EventPlaces {
 public:
     /// `named` must be ascending.

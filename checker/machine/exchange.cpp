@@ -67,9 +67,9 @@ std::optional<lts::EventPermutation> Exchange::find_exchanged_events(diagnostics
     return events;
 }
 
-/// Checks condition 1: the mapping of equally numbered states and events is an isomorphism of the components. The
-/// fields of both components must have the same width, so that each can contain the states of the other. If a component
-/// is never turned off, "off" is not one of its states.
+/// Checks condition 1: mapping states and events with equal numbers to each other is an isomorphism of the two
+/// components. Their fields must have the same width, because each of them must hold the states of the other. For a
+/// component that is never turned off, "off" is not a state.
 bool Exchange::maps_component(std::uint32_t slot, diagnostics::Pollable& budget) {
     const std::uint32_t image = this->image_of_slot(slot);
     const Component& from = *combined_.components[slot];
@@ -100,8 +100,8 @@ bool Exchange::maps_component(std::uint32_t slot, diagnostics::Pollable& budget)
     return true;
 }
 
-/// Checks condition 2: each region has an image, which is the region over the images of its components. If several
-/// regions have the same components, inner regions are mapped to inner ones.
+/// Checks condition 2: the image of each region is a region, over the images of its components. If several regions have
+/// the same components, an inner region is mapped to an inner one.
 bool Exchange::map_regions() {
     const std::vector<std::vector<std::uint32_t>> below = slots_below(combined_);
     std::vector<bool> taken(below.size(), false);
@@ -189,8 +189,8 @@ Exchange::EventsByBody Exchange::map_requirements(std::uint32_t region, diagnost
     return bodies(mapped, budget);
 }
 
-/// Returns the images of the events of rules with these bodies. The images must be the expected events. If a body
-/// occurs with several events, events with the same name correspond; the remaining events correspond in their order.
+/// Returns the images of the events of rules that have these bodies. These images must be the expected events. If a
+/// body occurs with several events, events with equal names are mapped to each other, and the others in their order.
 std::optional<Exchange::Places> Exchange::event_images(const Region& from, const Region& to, const EventsByBody& bodies,
                                                        const EventsByBody& to_bodies) const {
     Places image(from.alphabet.size(), nowhere);
@@ -223,7 +223,7 @@ std::optional<Exchange::Places> Exchange::event_images(const Region& from, const
         if (mapped != expected) return std::nullopt;
     }
     for (std::uint32_t place = 0; place < image.size(); ++place) {
-        assert(image[place] != nowhere);  // each event has a rule, and so it has a body
+        assert(image[place] != nowhere);  // each event occurs in a rule, and each rule has a body
         for (const Event fixed : {process::tau, process::tick})
             if ((from.alphabet[place] == fixed) != (to.alphabet[image[place]] == fixed)) return std::nullopt;
     }

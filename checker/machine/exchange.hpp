@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks whether exchanging two groups of components is an automorphism of a compiled process. The conditions are those
-// of docs/search.md, "Symmetry".
+// Checks whether a compiled process stays the same if two groups of components are exchanged (an automorphism).
+// docs/search.md, "Symmetry", states the conditions.
 #pragma once
 
 #include <map>
@@ -15,21 +15,21 @@
 namespace robochart::machine {
 
 /// Exchanges the components of two ranges of slots: the first with the first, the second with the second, and so on.
-/// All other components stay unchanged. The shapes number the states and events of the components, and equal numbers
-/// are mapped to each other.
+/// Other components do not change. The shapes number the states and events of each component; states or events with
+/// equal numbers are mapped to each other.
 class Exchange {
 public:
-    /// `shapes`: the shapes of the components, by slot, for the slots in both ranges. The ranges must be disjoint and
-    /// have the same length.
+    /// `shapes` contains the shape of each component in the two ranges, by slot. The ranges must be disjoint and
+    /// equally long.
     Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
              SlotRange second);
 
-    /// Returns the events that the exchange maps to other events, if the exchange is an automorphism. Polls the
-    /// budget for each state of a component and each rule that it examines.
+    /// Returns the events that the exchange maps to other events, or no value if the exchange is no automorphism. Polls
+    /// the budget for each state and each rule that it examines.
     [[nodiscard]] std::optional<lts::EventPermutation> find_exchanged_events(diagnostics::Pollable& budget);
 
 private:
-    using Places = std::vector<std::uint32_t>;  ///< by index in an alphabet: the index of the image
+    using Places = std::vector<std::uint32_t>;  ///< by index in an alphabet: index of the event's image
     /// A rule without its event: its requirements and its assignments, both ascending.
     using Body = std::vector<std::uint32_t>;
     using EventsByBody = std::map<Body, std::vector<std::uint32_t>>;

@@ -24,7 +24,7 @@ void minimise(ExplicitMachine& machine, diagnostics::Pollable& budget) {
         std::vector<Component::RawEdge> row = machine.rows[state];
         for (Component::RawEdge& edge : row) {
             edge.target = quotient.state_of[edge.target];
-            assert(edge.target != lts::no_state);  // the target is reachable, because the source is
+            assert(edge.target != lts::no_state);  // the source is reachable, so the target is, too
         }
         const auto key = [](const Component::RawEdge& edge) { return std::pair(edge.event, edge.target); };
         std::ranges::stable_sort(row, [&](const auto& a, const auto& b) { return key(a) < key(b); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contains the states and edges of a component that is being built, and reduces them.
+// Represents a component that is being built by its states and edges. Contains the functions that make it smaller.
 #pragma once
 
 #include <vector>
@@ -15,11 +15,11 @@ struct ExplicitMachine {
 };
 
 /// Replaces the machine by its quotient under strong bisimilarity, which preserves every model. Removes unreachable
-/// states. Hidden events get the names that they have in the representatives. Polls the budget.
+/// states. A hidden event gets its name from the state that represents the others. Polls the budget.
 void minimise(ExplicitMachine& machine, diagnostics::Pollable& budget);
 
-/// Returns the component without the edges of events that are not used. `used` has one element for each event, by
-/// index.
+/// Returns the component without the edges whose events are not used. `used` says for each index in the alphabet
+/// whether the event is used.
 [[nodiscard]] ExplicitMachine without_unused(const Component& component, const std::vector<bool>& used);
 
 }  // namespace robochart::machine

@@ -6,7 +6,7 @@
 
 namespace robochart::machine {
 
-/// Thrown if the process cannot be compiled within the compiler's bounds. It can still be run as a term.
+/// Thrown if a process exceeds the bounds of the compiler. It can still be searched as terms.
 class NotCompiled : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -11,52 +11,52 @@ namespace robochart::machine {
 
 namespace {
 
-/// Returns the maximal length of a sequence of followed steps. The sequence may end at any of its states, which then
-/// represents the states before it. If steps with any event are followed, a sequence should be long enough to reach a
-/// cycle that contains all steps of all components. Such cycles are worth finding, because no deadlock can be reached
-/// from them.
+/// Returns how many steps are followed at most. The last state then represents all states before it, so stopping
+/// anywhere is correct. If steps with any event are followed, it should be possible to reach a cycle that contains
+/// steps of all components: no deadlock can be reached from such a cycle. So the limit grows with the number of
+/// components.
 std::size_t most_steps(lts::Followed followed, std::size_t components) {
     constexpr std::size_t enough = 1000, for_each_component = 16;
     return followed == lts::Followed::taus ? enough : enough + for_each_component * components;
 }
-/// How many states the rounds of a pilot search cover. The rounds estimate the benefit of proofs. After the first
-/// rounds the least useful proofs are removed.
+/// How many states each round of a pilot search expands. A round measures what the proofs save. The rounds after it
+/// omit the least useful proofs.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // numbers of expanded states
 constexpr std::size_t pilot_found = 200'000;              // maximal number of found states
-/// No further round begins after steps have been followed from this many states, because the estimate is then good
-/// enough. A further round with long sequences of steps can cost more than the search itself, which often ends at a
-/// violation near the initial state.
+/// No further round begins when steps have been followed from this many states: the measurement is then good enough. A
+/// round with long sequences of steps could take longer than the search, which often ends early at a violation near the
+/// initial state.
 constexpr std::size_t pilot_followed = 20'000;
-/// The work that the proofs of a round may take: `round`, plus `step` for each state from which they follow a step. If
-/// they take more, the round ends early. Proofs about locks and schedulers often examine thousands of states and fail.
+/// Limits the work of the proofs in a round: `round`, plus `step` for each state from which they follow a step. A round
+/// that exceeds this ends early. Proofs about locks and schedulers often examine thousands of states before they fail.
 struct Allowance {
     double round, step;
 };
 constexpr Allowance large_allowance{60'000, 2'000};  // the maximum for a pilot search
-/// A process with at least this many states gets the large allowance if the first pilot search has shown no gain.
+/// If the first pilot search saves nothing, a second one with the large allowance follows for processes of this size.
 constexpr std::size_t states_for_large_allowance = 10'000;
 
-/// Returns the allowance of the first pilot search. It is small compared with the search of a small process. For a
-/// process with large components, it is small compared with the compilation.
+/// Returns the allowance of the first pilot search. It is small compared with the search of a small process, and with
+/// the compilation of large components.
 Allowance first_allowance(const Supercombinator& combined) {
     constexpr double least_of_a_round = 8'000, of_an_edge = 0.5, of_a_step = 200;
     double edges = 0;
     for (const ComponentPtr& component : combined.components) edges += static_cast<double>(component->edge_count());
     return {std::clamp(of_an_edge * edges, least_of_a_round, large_allowance.round), of_a_step};
 }
-/// The work of a reduced search may be this many times the work of a full search, because the reduced search saves
-/// memory. The first round after which enough states have been expanded decides whether this holds.
+/// A reduced search saves memory, so it may take this many times the work of a full search. The first round after which
+/// enough states have been expanded decides whether it does.
 constexpr double most_work = 1.5;
 constexpr std::size_t enough_to_judge = 1000;
 
-/// Searches some states of a system. It expands the most recently found state first (depth first), so that it does not
-/// visit only states near the initial state. The order in which it takes the successors of a state changes from state
-/// to state, but is the same in every run.
+/// Searches a sample of the states. Expands the last found state first (depth first), because breadth first would only
+/// visit states near the initial state. Takes the successors of different states in different orders, which are the
+/// same in every run.
 class Pilot final : private lts::SuccessorSink {
 public:
     explicit Pilot(std::size_t width) : found_(width), followed_(width) {}
 
-    /// Expands up to this many more states. Returns false if it ended early because the proofs took too much work.
+    /// Expands up to this many further states. Returns false if the proofs took too much work, so that it ended early.
     bool expand_states(ReducedSystem& system, std::size_t states, const Allowance& allowance,
                        diagnostics::Pollable& budget) {
         if (found_.size() == 0) {
@@ -84,8 +84,8 @@ public:
         return true;
     }
     [[nodiscard]] std::size_t expanded_count() const { return expanded_; }
-    /// Returns the number of states from which steps were followed. Sequences of steps often meet, so this number is
-    /// smaller than the number of steps.
+    /// Returns from how many states a step was followed. Sequences of steps often meet, so more steps may have been
+    /// followed.
     [[nodiscard]] std::size_t followed_count() const { return followed_.size(); }
 
 private:
@@ -99,7 +99,7 @@ private:
     std::size_t expanded_ = 0;
 };
 
-/// The rounds of a pilot search, each with the plan that results from the rounds before it.
+/// The rounds of a pilot search. Each round uses the plan that the earlier rounds have produced.
 class PilotRounds {
 public:
     PilotRounds(const std::shared_ptr<const Supercombinator>& combined, const process::TermStore& terms,
@@ -113,7 +113,7 @@ public:
           budget_(budget),
           pilot_(combined->words) {}
 
-    /// Returns the plan for a search, or no value if following steps costs more than it saves.
+    /// Returns the plan for a search. Returns no value if following steps takes more work than it saves.
     std::optional<ProofPlan> run() {
         for (const std::size_t states : pilot_states)
             if (pilot_.followed_count() >= pilot_followed || !run_round(states)) break;
@@ -133,7 +133,7 @@ private:
         if (expanded == 0) return false;
         const double work = work_before_ + static_cast<double>(whole_->examined_step_count());
         const double work_of_a_state = of_a_state + work / static_cast<double>(pilot_.expanded_count());
-        // The reduction can remove at most the states from which steps are followed.
+        // Every followed step removes one state at most, namely its source.
         const auto remaining = static_cast<double>(expanded);
         const auto removed = static_cast<double>(pilot_.followed_count() - followed_before);
         const double without = (remaining + removed) * work_of_a_state;
@@ -167,8 +167,8 @@ private:
     Allowance allowance_;
     diagnostics::Pollable& budget_;
     Pilot pilot_;
-    ProofRecord record_;      // the record of rounds with earlier plans
-    double work_before_ = 0;  // work of a search without reduction in the same rounds
+    ProofRecord record_;      // sums of the rounds with earlier plans
+    double work_before_ = 0;  // work that a full search would have needed in those rounds
     ProofPlan plan_;
     std::unique_ptr<ReducedSystem> reduced_;        // uses this plan; null if not yet made
     const SupercombinatorSystem* whole_ = nullptr;  // owned by `reduced_`
@@ -195,8 +195,8 @@ bool has_states(lts::TransitionSystem& system, std::size_t states, diagnostics::
 
 }  // namespace
 
-/// Makes a plan by a pilot search. A costly pilot search is made only if the process is not small: for a small process,
-/// the search of all states costs less.
+/// Makes a plan by a pilot search. If the first pilot search saves nothing, a larger one follows, but not for small
+/// processes: searching all their states takes less work.
 std::optional<ProofPlan> SupercombinatorSystem::make_plan(lts::Followed followed, diagnostics::Pollable& budget) const {
     const auto plan_with = [&](const Allowance& allowance) {
         return PilotRounds(combined_, terms_, facts_.whole, followed, allowance, budget).run();
@@ -256,7 +256,7 @@ void ReducedSystem::initial(std::span<lts::Word> state) {
 }
 
 void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // The sink may ask for successors while it receives successors, as in SupercombinatorSystem.
+    // The sink may ask for successors in the middle of this call, as in SupercombinatorSystem.
     if (sink_ != nullptr) {
         const auto other = clone_for_thread();
         other->set_budget(*budget_);
@@ -267,8 +267,8 @@ void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     whole_->successors(state, *this);
 }
 
-/// If a step can be followed from the state, passes the step as the only transition. The state is then on a cycle of
-/// followed steps, or a sequence was cut off at it.
+/// If a step can be followed from the state, passes it as the only transition and returns true. Such a state is on a
+/// cycle of followed steps, or a sequence ended at it because it became too long.
 bool ReducedSystem::pass_followed_step(lts::StateView state) {
     unpack_locals(state);
     if (!follow_step()) return false;
@@ -278,8 +278,8 @@ bool ReducedSystem::pass_followed_step(lts::StateView state) {
     return true;
 }
 
-/// Reduces the cycle system of the whole process. A cycle of the reduced system is a cycle of the process in which the
-/// followed taus are left out.
+/// Reduces the cycle system of the whole process. Each of its cycles is a cycle of the process without the followed
+/// taus.
 std::unique_ptr<lts::TransitionSystem> ReducedSystem::make_cycle_system(diagnostics::Pollable& budget) const {
     std::unique_ptr<lts::TransitionSystem> whole = whole_->make_cycle_system(budget);
     if (!whole || followed_ != lts::Followed::taus) return nullptr;
@@ -304,8 +304,8 @@ bool ReducedSystem::follow_step() {
     return true;
 }
 
-/// Follows confluent steps until no step can be followed or the least state of a cycle is reached. Returns the number
-/// of steps. (Cycles are found as in Brent, BIT 20, 1980.)
+/// Follows confluent steps until there is none, or until the sequence reaches a cycle; then stops at the least state of
+/// the cycle. Returns the number of steps. (Cycles are found as in Brent, BIT 20, 1980.)
 std::size_t ReducedSystem::follow_all_steps() {
     budget_->poll();
     begin_ = seen_ = locals_;
@@ -323,19 +323,19 @@ std::size_t ReducedSystem::follow_all_steps() {
     return most_steps_;
 }
 
-/// Moves to the least state of the cycle that the current state is on. Repeats the sequence of steps from its beginning
-/// up to the first visit of this state. Returns the number of steps.
+/// Moves to the least state of the cycle that contains the current state. To count the steps, follows the sequence
+/// again from its beginning to this state. Returns the number of steps.
 std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     least_ = locals_;
     for (std::size_t i = 0; i < length; ++i) {
         follow_step();
         least_ = std::min(least_, locals_);
     }
-    assert(locals_ == seen_);  // the cycle has been followed once
+    assert(locals_ == seen_);  // now the whole cycle has been followed
     locals_ = begin_;
     std::size_t steps = 0;
     for (; locals_ != least_; ++steps) {
-        assert(steps < most_steps_);  // the sequence has reached this state before
+        assert(steps < most_steps_);  // the first pass reached this state within the limit
         follow_step();
     }
     return steps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reduces a compiled process by leaving out the states from which a confluent step is followed (docs/search.md,
-// "Confluent taus", "Deadlocks").
+// Reduces a compiled process. Leaves out states from which it can follow a confluent step (docs/search.md, "Confluent
+// taus", "Deadlocks").
 #pragma once
 
 #include <memory>
@@ -13,12 +13,12 @@
 
 namespace robochart::machine {
 
-/// Its states are states of the process. The target of each transition is replaced by its representative. If steps with
-/// any event are followed and a state has such a step, this step is the only transition of the state, and its event is
-/// reported as tau.
+/// Its states are states of the process. A transition leads to the representative of its original target. If steps with
+/// any event are followed and a state has such a step, the state has only this transition, and the event is reported as
+/// tau.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
-    /// `plan`: the plan for the proofs of this system (Confluence).
+    /// `plan` says which proofs to try (Confluence).
     ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
                   std::shared_ptr<const WholeRules> rules, lts::Followed followed, ProofPlan plan);
 
@@ -36,12 +36,12 @@ public:
     [[nodiscard]] std::uint64_t chased_state_count() const override { return chased_; }
     [[nodiscard]] lts::Followed followed() const override { return followed_; }
     [[nodiscard]] std::vector<std::vector<lts::Word>> followed_path(lts::StateView state) override;
-    /// Adds the costs and results of the proofs in the states found so far (Confluence).
+    /// Adds the work and the results of all proofs so far to the record (Confluence).
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// Returns the work of the proofs so far (Confluence).
     [[nodiscard]] double work_of_proofs() const { return confluence_.total_work(); }
-    /// After this call, `states` receives the states from which this system follows steps. Because this slows down
-    /// following, it is used only to estimate the benefit of the reduction.
+    /// From now on, adds each state from which a step is followed to `states`. This takes time, so it is only used to
+    /// estimate what the reduction saves.
     void store_followed_states(lts::StateStore& states) { followed_states_ = &states; }
     /// Returns the compiled process that this system reduces.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }

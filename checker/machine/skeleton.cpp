@@ -15,15 +15,15 @@ namespace {
 using process::OpGroup;
 using process::Term;
 
-constexpr int deepest = 300;              // maximal nesting of operators; deeper operators belong to one component
-constexpr int deepest_look = 100;         // maximal nesting in the search for a parallel operator
-constexpr int deepest_prefix = 3;         // maximal number of events before a parallel operator
-constexpr std::size_t most_branches = 8;  // maximal number of branches of a prefix that is taken apart
+constexpr int deepest = 300;              // limit on nested operators; deeper operators belong to one component
+constexpr int deepest_look = 100;         // limit on nested operators in the search for a parallel operator
+constexpr int deepest_prefix = 3;         // limit on the events before a parallel operator
+constexpr std::size_t most_branches = 8;  // only prefixes with at most this many branches are split
 constexpr std::size_t most_nodes = 200'000;
-constexpr std::size_t most_prefixes = 500;  // total number of prefixes that are taken apart
-constexpr std::size_t longest_chain = 60;   // maximal nesting of prefixes that are taken apart
+constexpr std::size_t most_prefixes = 500;  // limit on how many prefixes are split
+constexpr std::size_t longest_chain = 60;   // limit on nested prefixes that are split
 
-/// Thrown if unfolding prefixes does not end, or takes too long.
+/// Thrown if unfolding prefixes takes too long or never ends.
 class UnfoldsOn : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -31,7 +31,7 @@ public:
 
 class Builder {
 public:
-    /// `through_prefixes`: whether to look for parallel operators after prefixes.
+    /// `through_prefixes`: whether to search for parallel operators after prefixes.
     Builder(process::TermStore& terms, const std::set<TermId>& leaves, const std::set<TermId>& left_out,
             bool through_prefixes, diagnostics::Pollable& budget)
         : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), budget_(budget) {}
@@ -41,13 +41,13 @@ public:
         result_.prefixes = prefixes_taken_;
         return std::move(result_);
     }
-    /// Returns true if the term contains a parallel operator that is active now or after few events.
+    /// Returns true if the term contains a parallel operator that runs now or after a few events.
     bool is_composite(TermId term, int depth = 0, int prefixes = 0);
 
 private:
     TermId unfold_term(TermId term);
     bool looks_composite(const Term& term, int depth, int prefixes);
-    /// The enclosing nodes that have ended when control reaches a node:
+    /// The nodes around a node that have ended when the node runs:
     struct Tail {
         std::vector<NodeId> at_once;   ///< ... after any event
         std::vector<NodeId> by_event;  ///< ... after a visible event of the node, which resolves the enclosing choices
@@ -71,7 +71,7 @@ private:
     std::map<std::pair<TermId, int>, bool> composite_;  // false also while the answer is being computed
 };
 
-/// Unfolds calls, and removes compressions that must be omitted.
+/// Unfolds calls. Replaces compressions that are left out by their operands.
 TermId Builder::unfold_term(TermId term) {
     for (term = terms_.unfold_calls(term, deepest_look); left_out_.contains(term);)
         term = terms_.unfold_calls(terms_[term].children.front(), deepest_look);
@@ -174,7 +174,7 @@ void Builder::add_gate(NodeId id) {
 
 void Builder::add_operands(NodeId id, const Tail& tail, int depth) {
     const Term term = terms_[result_.nodes[id].term];
-    // The enclosing nodes that end when an operand replaces this node, with and without a visible event.
+    // If an operand replaces this node, the node and some nodes around it end. Some end only by a visible event.
     Tail inside = tail;
     inside.at_once.push_back(id);
     inside.by_event.push_back(id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the skeleton of a process: the operators above its components, which never change. The skeleton also
-// contains operators that one operand can replace (exception, sequence, interrupt, choice). Their inactive operands are
-// off. So a state of the whole process is a vector of fixed length with one state for each component.
+// Computes the skeleton of a process: the operators above its components. The skeleton never changes. It also contains
+// operators that end when an operand replaces them (exception, sequence, interrupt, choice); the components of operands
+// that do not run are off. So a state of the process is a vector of fixed length, with one state for each component.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,14 @@ using NodeId = std::uint32_t;
 struct Node {
     enum class Kind {
         leaf,       ///< a component, which is explored from `term`
-        gate,       ///< a component added for an operator: one state that offers the operator's own first events
+        gate,       ///< a component that belongs to an operator: one state, with the operator's own first events
         operation,  ///< an operator over children
-        again,      ///< control returns to the node `again`
+        again,      ///< the process continues at the node `again`
     };
     Kind kind = Kind::leaf;
     Op op = Op::stop;
     TermId term{};  ///< leaf, operation: its term after unfolding calls
-    /// The children of an operation. The gate is the first child of sliding choice, internal choice and prefix; the
+    /// The children of an operation. For sliding choice, internal choice and prefix, the first child is the gate. All
     /// others are operands.
     std::vector<NodeId> children;
     NodeId again = 0;
@@ -43,14 +43,14 @@ struct Skeleton {
     std::size_t prefixes = 0;   ///< number of prefixes taken apart to reach parallel operators
 };
 
-/// Splits a term at its operators, down to the terms in `leaves` and terms without operators that stay in place.
-/// Compressed terms in `left_out` are replaced by their operands. Returns no value if there is no parallel operator to
-/// split. May evaluate definitions and throw their exceptions. Polls the budget.
+/// Splits a term at its operators. Stops at the terms in `leaves`, and at terms without operators that stay. Replaces
+/// the compressed terms in `left_out` by their operands. Returns no value if there is no parallel operator. May
+/// evaluate definitions, and throws their exceptions. Polls the budget.
 ///
-/// The function also looks for parallel operators after prefixes, because a process may perform events before it starts
-/// its components, or switch between modes. This fails if the prefixes never lead back to an earlier term, as in
-/// COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B). Then the function does not look for parallel operators after any
-/// prefix of the term, and a subterm that begins with an event becomes one component.
+/// Also searches for parallel operators after prefixes, because a process may perform events before it starts its
+/// components, or switch between modes. This fails if the prefixes never lead back to an earlier term, as in COUNT(n) =
+/// up -> COUNT(n + 1) [] go -> (A ||| B). Then no prefix of the term is split, and a subterm that begins with an event
+/// becomes one component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,
                                                   diagnostics::Pollable& budget);

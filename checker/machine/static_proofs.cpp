@@ -13,10 +13,10 @@ using process::tau;
 
 namespace {
 
-/// The graph of one component. It has a vertex for each of its states and for "off", and an edge for every way in which
-/// a remaining rule changes the state of the component. A rule that sets the state without an event of the component
-/// may do so in every state. To keep the number of edges linear, one more vertex represents "any state": every state
-/// has an edge to it, and the edges of such rules start there.
+/// The graph of one component. Its vertices are the states and "off". It has an edge for each way in which a remaining
+/// rule changes the state. A rule that sets the state without an event of the component can do so in every state. So
+/// that the number of edges stays linear, another vertex represents "any state": every state has an edge to it, and the
+/// edges of such rules start there.
 class LocalGraph {
 public:
     LocalGraph(const Component& component, const std::vector<const Part*>& parts)
@@ -36,9 +36,9 @@ public:
         find_performed_on_cycles();
     }
 
-    /// Returns true if some edge that this part of a rule causes lies on a cycle.
+    /// Returns true if this part of a rule causes an edge on a cycle.
     [[nodiscard]] bool is_on_cycle(const Part& part) const {
-        if (!part.event) return true;  // in the state that the rule sets, it can set this state again
+        if (!part.event) return true;  // after the rule has set the state, it can set the same state again
         if (!part.assigned) return on_cycle_[*part.event] != 0;
         const lts::StateIndex target = vertex_of(*part.assigned);
         for (Local local = 0; local < component_.size(); ++local)
@@ -92,7 +92,7 @@ private:
     std::vector<char> on_cycle_;                           // by event: whether performing it may lie on a cycle
 };
 
-/// Removes rules until every part of every remaining rule lies on a cycle of its component's graph.
+/// Removes rules until each part of each remaining rule is on a cycle of its component's graph.
 class CycleRules {
 public:
     CycleRules(const Supercombinator& combined, const WholeRules& rules, diagnostics::Pollable& budget)
@@ -117,7 +117,7 @@ public:
     }
 
 private:
-    /// Removes the rules whose part in the component is on no cycle, and returns them.
+    /// Removes the rules whose part in this component is on no cycle. Returns the removed rules.
     std::vector<std::uint32_t> remove_rules(std::uint32_t slot) {
         budget_.poll();
         std::vector<std::uint32_t>& rules = of_slot_[slot];
@@ -142,7 +142,7 @@ private:
     std::vector<std::vector<std::uint32_t>> of_slot_;  // by slot: the remaining rules with a part in it
 };
 
-/// Returns true if, in every state, all transitions with the event lead to one state.
+/// Returns true if no state has two transitions with the event to different states.
 bool is_deterministic(const Component& component, std::uint32_t event) {
     for (Local local = 0; local < component.size(); ++local) {
         const Component::Edges edges = component.edges(local, event);

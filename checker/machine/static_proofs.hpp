@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proves facts about all states of a compiled process from its rules and components, without a search. docs/search.md,
-// "Static proofs", contains the statements and the proofs.
+// Proves facts about all states of a compiled process without a search. The proofs use only the rules and the
+// components. docs/search.md, "Static proofs", contains the statements and their proofs.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace robochart::machine {
 
-/// Returns for each rule whether its transitions may lie on a cycle of taus. If the value is false, no transition of a
-/// reachable state by this rule lies on such a cycle. Polls the budget.
+/// Returns for each rule whether its transitions may be on a cycle of taus. False is a proof: no transition of a
+/// reachable state by this rule is on such a cycle. Polls the budget.
 [[nodiscard]] std::vector<bool> rules_on_tau_cycles(const Supercombinator& combined, const WholeRules& rules,
                                                     diagnostics::Pollable& budget);
 
-/// Returns true if the rules show that no state has a tau, two transitions with the same event, or tick together with
+/// Returns true if the rules prove that no state has a tau, two transitions with the same event, or tick together with
 /// another event.
 [[nodiscard]] bool exclude_choices(const Supercombinator& combined, const WholeRules& rules);
 

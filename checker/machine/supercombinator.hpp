@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents a compiled process: component machines, and the rules by which their events become events of the whole
-// process. FDR calls it a supercombinator (Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2; Gibson-Robinson et
-// al., STTT 2016).
+// Represents a compiled process: component machines and rules. A rule says how events of components become an event of
+// the whole process. FDR calls this a supercombinator (Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2;
+// Gibson-Robinson et al., STTT 2016).
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Participant {
     std::uint32_t index = 0;  ///< number of the slot or region
 };
 
-/// The edges of a component that can fire rules in which the component is the first participant.
+/// The edges of a component with which a rule can start, that is, in which the component is the first participant.
 struct Leading {
     std::vector<std::uint32_t> first;  ///< by state: its first edge; one more at the end
     std::vector<Component::Edge> edges;
@@ -37,24 +37,24 @@ struct Leading {
     }
 };
 
-/// What a rule requires of one participant: it performs this event.
+/// A condition of a rule: this participant performs this event.
 struct Requirement {
     std::uint32_t participant;
     std::uint32_t event;  ///< index in the participant's alphabet
 };
 
-/// An assignment of a rule to a component that does not take part in the event. It starts the component or turns it
+/// Sets the state of a component that does not take part in the event of the rule: starts the component, or turns it
 /// off.
 struct Assignment {
     std::uint32_t slot;
     Local value;
 };
 
-/// A rule says: if these participants perform these events, the region performs this event.
+/// A rule: if these participants perform these events together, the region performs this event.
 struct Rule {
     Event event;
-    /// The displayed name of the event. If the rule hides an event, the name is that of the hidden event. If the event
-    /// is a tau of the participant, the name is that of the participant's tau. Otherwise it is the event itself.
+    /// The name of the event for display. If the rule hides an event, it is the name of the hidden event. If the event
+    /// is a tau of a participant, it is the name of that tau. Otherwise it is the event itself.
     Event revealed;
     std::uint32_t place;                               ///< index of the event in the region's alphabet
     std::uint32_t level;                               ///< level of the event in the region's priorities, or no_level
@@ -63,16 +63,16 @@ struct Rule {
     std::uint32_t first_assignment, end_assignment;    ///< several rules may share assignments
 };
 
-/// The rules of the operators between one prioritise and the next. Each region has separate rules, because the
-/// operators above a prioritise must see only the events that it allows. A rule begins with the participant that can
-/// perform its event in the fewest states. So rules that cannot fire are seldom examined.
+/// The rules of the operators between one prioritise and the next. Each prioritise needs a region of rules, because the
+/// operators above it may only see the events that it allows. A rule starts with the participant that can perform its
+/// event in the fewest states. So most rules that cannot fire are never examined.
 struct Region {
     std::vector<Participant> participants;
     std::vector<Leading> leading;                      ///< by participant, set by list_leading; empty for regions
     std::vector<EventSet> alphabets;                   ///< by participant
     std::vector<Rule> rules;                           ///< sorted by first participant and its event
     std::vector<std::vector<std::uint32_t>> by_event;  ///< by index in the alphabet: the rules
-    /// By index: an estimate of the fraction of states in which the event is possible.
+    /// By index in the alphabet: an estimate of how often the event is possible, as a fraction of the states.
     std::vector<double> chance;
     std::vector<std::vector<std::uint32_t>> first_rule;  ///< by participant and event, one more at the end
     std::vector<Requirement> requirements;
@@ -95,12 +95,12 @@ struct Supercombinator {
     std::uint32_t words = 1;
 };
 
-/// Returns the rules of a skeleton whose components have been built. Throws NotCompiled if there are more than
-/// `most_rules` rules, or if computing them takes more work than this number of rules should take. Polls the budget.
+/// Returns the rules of a skeleton with these components. Throws NotCompiled if there are more than `most_rules` rules,
+/// or if they take more work than so many rules should. Polls the budget.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
                                       std::vector<ComponentPtr> components, std::size_t most_rules,
                                       diagnostics::Pollable& budget);
-/// Adds the derived data that a system needs: the edges of the first participants of rules.
+/// Adds data for a quick start of rules: the edges of their first participants.
 void list_leading(Supercombinator& combined, diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

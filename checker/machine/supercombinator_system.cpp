@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes successors by rules. For each event that a participant can perform in the current state, it looks up the
-// rules in which the participant comes first. A rule fires for every combination of transitions of its other
-// participants. The moves of inner regions are computed when an outer rule needs them. The priorities that prevent an
-// event are computed when the event becomes possible.
+// Computes successors by rules. For each event that a participant can perform now, it looks up the rules that start
+// with this event of this participant. A rule fires for every combination of transitions of its other participants. The
+// moves of an inner region are computed only when an outer rule needs them, and priorities only when an event is
+// possible that they may prevent.
 #include "checker/machine/supercombinator_system.hpp"
 
 #include <algorithm>
@@ -45,8 +45,8 @@ public:
     Firing(SupercombinatorSystem& system, std::uint32_t region)
         : system_(system), number_(region), region_(system.combined_->regions[region]), base_(system.changes_.size()) {}
 
-    /// Fires the rules with events that outer rules require of this region as their first participant. Stores the
-    /// results in the region's list of moves.
+    /// Fires the rules of this region whose events start rules of an outer region. Stores the moves in the list of the
+    /// region.
     void list_leading(const std::vector<std::uint32_t>& first_rule_around) {
         around_ = &first_rule_around;
         enumerate();
@@ -63,7 +63,7 @@ public:
         sink_ = &sink;
         enumerate();
     }
-    /// Returns the first level of a rule that can fire, or no_level.
+    /// Returns the first level that has a rule which can fire, or no_level.
     std::uint32_t find_best_level() {
         probing_ = true;
         enumerate();
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// Tries the rules [rule, end) with this transition of their first participant.
+    /// Tries the rules [rule, end). Their first participant performs this transition.
     template <typename Way>
     void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
         assert(rule <= end && end <= region_.rules.size());
@@ -104,8 +104,8 @@ private:
         return system_.fired_ == nullptr || (*system_.fired_)[number];
     }
 
-    /// Applies the step of one participant, and then processes the requirements from index `next` on. A tau gets the
-    /// name of the first participant's tau.
+    /// Applies the step of one participant. Then processes the requirements from index `next` on. If the event is a
+    /// tau, its name is that of the first participant's tau.
     template <typename Way>
     void take_step(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
         const std::size_t before = system_.changes_.size();
@@ -146,18 +146,18 @@ private:
         }
     }
 
-    /// Implements priority as in process/composition_rules.cpp: an event of a higher level prevents the event.
+    /// Applies priority as in process/composition_rules.cpp: a possible event of a higher level prevents an event.
     void perform_rule(const Rule& rule, Event revealed_by_participant) {
         constexpr std::uint32_t between_polls = 64;
         if (++system_.performed_ % between_polls == 0) system_.budget_->poll();
         if (probing_) {
-            assert(rule.level <= best_);  // see is_relevant
+            assert(rule.level <= best_);  // is_relevant has excluded the others
             best_ = std::min(best_, rule.level);
             return;
         }
         if (rule.level != 0 && rule.level != no_level && system_.best_level(number_) < rule.level) return;
         Event revealed = rule.revealed == tau ? revealed_by_participant : rule.revealed;
-        if (rule.event == tau && revealed == process::tick) revealed = tau;  // in P ; Q
+        if (rule.event == tau && revealed == process::tick) revealed = tau;  // the tick of P in P ; Q
         if (sink_ != nullptr)
             to_sink(rule, revealed);
         else
@@ -189,7 +189,7 @@ private:
     SupercombinatorSystem& system_;
     std::uint32_t number_;
     const Region& region_;
-    std::size_t base_;  // first change of the current rule; earlier ones belong to enclosing regions
+    std::size_t base_;  // where the changes of this rule start; those before belong to rules of outer regions
     const std::vector<std::uint32_t>* around_ = nullptr;
     bool probing_ = false;
     std::uint32_t best_ = no_level;
@@ -229,8 +229,8 @@ std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
 }
 
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // If both sides of a refinement use the same system object, the sink calls this function again while it receives
-    // successors.
+    // If both sides of a refinement are the same object, the sink calls this function again before it
+    // returns.
     if (busy_) {
         const std::unique_ptr<SupercombinatorSystem> another = make_copy();
         another->budget_ = budget_;
@@ -249,7 +249,7 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
 void SupercombinatorSystem::pass_successors(lts::StateView state, lts::SuccessorSink& sink) {
     unpack(state);
     ++state_number_;
-    changes_.clear();  // not empty if a sink has thrown an exception in the previous call
+    changes_.clear();  // a sink may have thrown an exception in the previous call
     for (Moves& moves : moves_) {
         moves.list.clear();
         moves.changes.clear();
@@ -294,8 +294,8 @@ bool SupercombinatorSystem::excludes_choices(diagnostics::Pollable& budget) cons
     return rules != nullptr && exclude_choices(*combined_, *rules);
 }
 
-/// Returns a system in which a rule of the outermost region fires only if some rule of the whole process that passes
-/// through it may lie on a cycle.
+/// Returns a system without rules that are on no cycle. A rule of the outermost region fires only if a rule of the
+/// whole process that passes through it may be on a cycle.
 std::unique_ptr<lts::TransitionSystem> SupercombinatorSystem::make_cycle_system(diagnostics::Pollable& budget) const {
     const WholeRules* const rules = find_whole_rules(budget);
     if (rules == nullptr) return nullptr;

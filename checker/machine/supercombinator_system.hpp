@@ -13,11 +13,11 @@
 
 namespace robochart::machine {
 
-/// Its states are the packed states of the components. Computing successors allocates no memory after the buffers have
-/// grown.
+/// Its states are the packed states of the components. Once its buffers have grown, it computes successors without
+/// allocating memory.
 class SupercombinatorSystem final : public lts::TransitionSystem {
 public:
-    /// `terms` contains the terms that the states of components represent.
+    /// `terms` contains the terms to which the states of components refer.
     SupercombinatorSystem(std::shared_ptr<const Supercombinator> combined, const process::TermStore& terms);
 
     [[nodiscard]] std::size_t width() const override { return combined_->words; }
@@ -30,8 +30,8 @@ public:
     [[nodiscard]] bool excludes_choices(diagnostics::Pollable& budget) const override;
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> make_cycle_system(
         diagnostics::Pollable& budget) const override;
-    /// A function that builds the process as it was before its components were minimised. It returns null if that is
-    /// not possible.
+    /// A function that builds the process with components that were not minimised. Returns null if this is
+    /// impossible.
     using MakeFiner = std::function<std::unique_ptr<lts::FinerSystem>(diagnostics::Pollable&)>;
     void set_finer_system(MakeFiner make) { make_finer_ = std::move(make); }
     [[nodiscard]] std::unique_ptr<lts::FinerSystem> make_finer_system(diagnostics::Pollable& budget) const override {
@@ -43,7 +43,7 @@ public:
     void set_budget(diagnostics::Pollable& budget) override { budget_ = &budget; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
     [[nodiscard]] const std::shared_ptr<const Supercombinator>& share_combined() const { return combined_; }
-    /// Returns how many transitions of components were examined for successors so far.
+    /// Returns how many transitions of components have been examined so far to compute successors.
     [[nodiscard]] std::uint64_t examined_step_count() const { return work_; }
 
 private:
@@ -52,12 +52,12 @@ private:
         Event revealed;
         std::uint32_t first_change, end_change;
     };
-    /// A range of a region's moves, computed in the state with this number.
+    /// A part of a region's list of moves. Valid in the state with this number.
     struct Range {
         std::uint64_t state = 0;
         std::size_t from = 0, to = 0;
     };
-    /// The cached data of an inner region in the current state. Its moves are computed on demand.
+    /// What is known about an inner region in the current state. Its moves are computed when they are needed.
     struct Moves {
         std::vector<Move> list;
         std::vector<Assignment> changes;
@@ -79,20 +79,20 @@ private:
     Range moves_by(std::uint32_t region, std::uint32_t event);
     std::uint32_t best_level(std::uint32_t region);
 
-    /// The known facts about the rules of the whole process. Copies of the system share them.
+    /// Facts about the rules of the whole process. Copies of the system share them.
     struct RuleFacts {
         std::shared_ptr<const WholeRules> whole;             ///< null if not computed, or if there are too many rules
-        bool too_many = false;                               ///< true if there are too many rules for them to be useful
+        bool too_many = false;                               ///< true if proofs with so many rules would take too long
         std::shared_ptr<const std::vector<bool>> on_cycles;  ///< result of rules_on_tau_cycles; null if not computed
-        /// The plans for the reduced forms. The outer value is missing if the plan is not known yet; the inner value is
-        /// missing if there is no reduced form.
+        /// The plans of the reduced systems. The outer value is missing if the plan has not been made; the inner value
+        /// is missing if the reduction saves nothing.
         std::optional<std::optional<ProofPlan>> plan_of_taus, plan_of_steps;
     };
 
     std::shared_ptr<const Supercombinator> combined_;
     const process::TermStore& terms_;
     mutable RuleFacts facts_;                         // computed on first use
-    std::shared_ptr<const std::vector<bool>> fired_;  // by rule of the outermost region: may it fire? null: all
+    std::shared_ptr<const std::vector<bool>> fired_;  // by rule of the outermost region: may it fire? null: all may
     MakeFiner make_finer_;
     std::vector<Local> locals_;
     std::vector<Moves> moves_;         // by region
@@ -101,7 +101,7 @@ private:
     std::vector<lts::Word> target_;
     bool busy_ = false;
     mutable std::optional<std::vector<lts::ReplicaSet>> replicas_;  // computed on first use
-    diagnostics::Pollable* budget_ = &diagnostics::unlimited;       // polled if one state has many successors
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;       // polled within a state, too: it may be large
     std::uint32_t performed_ = 0;
     std::uint64_t work_ = 0;
 };

@@ -16,7 +16,7 @@ using diagnostics::splitmix64_mixed;
 constexpr std::size_t largest_component = 20'000;  // number of states
 constexpr std::size_t most_rules = 200'000;
 constexpr std::size_t most_exchanges = 500;  // number of verified exchanges
-/// After this many rules and states have been examined for wrong proposals, no more proposals are tried.
+/// Limits the work for proposals that turn out to be wrong: the rules and states that are examined for them.
 constexpr std::size_t most_in_vain = 200'000;
 
 /// Forwards polls to another budget and counts them.
@@ -57,7 +57,7 @@ public:
 private:
     using Ranges = std::vector<SlotRange>;
 
-    /// Groups ranges by the sizes of their components, so that few shapes are computed. Large ranges come first.
+    /// Groups ranges by the sizes of their components: this saves computing shapes. Large ranges come first.
     [[nodiscard]] std::map<std::vector<std::size_t>, Ranges> by_size() const {
         std::map<std::vector<std::size_t>, Ranges> result;
         for (const SlotRange& range : combined_.operands) {
@@ -92,7 +92,7 @@ private:
         return shapes_[slot];
     }
 
-    /// Computes a number for each event from the requirements of its rules. An exchange does not change this number.
+    /// Computes a number for each event from the rules that require it. Exchanges preserve this number.
     void find_roles() {
         for (const ComponentPtr& component : combined_.components) {
             std::vector<std::uint64_t>& role = roles_.emplace_back();

@@ -79,7 +79,7 @@ void write(const Region& region, ByteWriter& out) {
             out.write_number(value);
 }
 
-/// Reads one region, and checks that its participants and numbers fit a process with these components and inner
+/// Reads one region. Checks that its numbers and participants exist in a process with these components and inner
 /// regions.
 class RegionReader {
 public:
@@ -140,7 +140,7 @@ private:
         return result;
     }
 
-    /// Computes derived data: by_event, first_rule.
+    /// Computes the data that are not transferred: by_event, first_rule.
     void index_rules() {
         region_.by_event.resize(region_.alphabet.size());
         region_.first_rule.resize(region_.participants.size());
@@ -160,7 +160,7 @@ private:
     Region region_;
 };
 
-/// Reads the field of a slot. The field must be wide enough for the states of the component and the value "off".
+/// Reads the field of a slot. Checks that it can hold all states of the component and "off".
 Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slot) {
     Field field{in.read_below(process.words), in.read_below(32), in.read_word()};
     const bool all_ones = std::has_single_bit(field.mask + std::uint64_t{1});
@@ -174,7 +174,7 @@ Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slo
     return field;
 }
 
-/// Returns a slot with this field. If several slots have equal fields, any of them is suitable.
+/// Returns a slot with this field. If several slots have the same field, returns any of them.
 std::uint32_t slot_of(const Field& field, const Supercombinator& process) {
     const auto same = [&](const Field& other) {
         return other.word == field.word && other.shift == field.shift && other.mask == field.mask;
@@ -280,8 +280,8 @@ Supercombinator read_supercombinator(ByteReader& in, TermId meaning) {
 
 namespace {
 
-/// Returns the compiled process of a system without symmetry. For a reduced system, this is the process that it
-/// reduces. Returns null for other systems.
+/// Returns the compiled process of a system without symmetry. A reduced system gives the process that it reduces.
+/// Returns null for all other systems.
 const Supercombinator* process_of(const lts::TransitionSystem& system) {
     if (const auto* machine = dynamic_cast<const SupercombinatorSystem*>(&system)) return &machine->combined();
     const auto* smaller = dynamic_cast<const ReducedSystem*>(&system);
@@ -290,7 +290,7 @@ const Supercombinator* process_of(const lts::TransitionSystem& system) {
 
 constexpr std::array reduced_forms{lts::Followed::taus, lts::Followed::steps};
 
-/// Returns 0 for a whole process, and otherwise one more than the index of its reduced form.
+/// Returns 0 for a whole process. For a reduced form, returns its index plus one.
 std::uint64_t form_of(const lts::TransitionSystem& system) {
     const auto* smaller = dynamic_cast<const ReducedSystem*>(&system);
     if (smaller == nullptr) return 0;

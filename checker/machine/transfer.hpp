@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes compiled processes, whole or reduced, as bytes, so that another program can search them. Events keep their
-// numbers. The terms of states are not included.
+// Encodes compiled processes, whole or reduced, as bytes for another program that searches them. The numbers of events
+// stay the same. The terms of states are not transferred.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@
 namespace robochart::machine {
 
 void write(const Supercombinator& process, lts::ByteWriter& out);
-/// Reads a process that has the same transitions and packed states as the written one. `meaning`: a term that all its
-/// states then represent. Throws BadBytes for malformed bytes. The function checks the bytes, so every process that it
-/// returns can be searched safely, even if the bytes were changed.
+/// Reads a process. It has the same transitions and packed states as the written one. All its states represent the term
+/// `meaning`. Checks the bytes and throws BadBytes if they are malformed. So even if the bytes were changed, searching
+/// the result is safe.
 [[nodiscard]] Supercombinator read_supercombinator(lts::ByteReader& in, TermId meaning);
 
-/// Writes a compiled process, its reduced form, or one of these with symmetry. Returns false for other systems; the
+/// Writes a compiled process or its reduced form, with or without symmetry. Returns false for all other systems; the
 /// output is then invalid.
 [[nodiscard]] bool write(const lts::TransitionSystem& system, lts::ByteWriter& out);
-/// Reads a system that `write` has written. It has the same packed states, but cannot describe them. `terms` must
-/// outlive the system. Throws BadBytes.
+/// Reads what `write` has written. The system has the same packed states, but cannot describe them. `terms` must
+/// outlive it. Throws BadBytes.
 [[nodiscard]] std::unique_ptr<lts::TransitionSystem> read_system(lts::ByteReader& in, process::TermStore& terms);
 
 }  // namespace robochart::machine

@@ -10,7 +10,7 @@
 namespace robochart::machine {
 namespace {
 
-/// Adds the states of the component to the graph, without the edges of events that are not in `events`.
+/// Adds the states of the component to the graph. Leaves out edges whose events are not in `events`.
 void add_states(const Component& component, const EventSet& events, lts::StateIndex first, lts::Graph& graph) {
     for (Local state = 0; state < component.size(); ++state) {
         for (const Component::Edge& edge : component.edges(state))
@@ -22,13 +22,13 @@ void add_states(const Component& component, const EventSet& events, lts::StateIn
 
 }  // namespace
 
-/// Minimises both components together: a new root has a different transition to each of them. No two states of
-/// `minimised` are bisimilar, so each state is mapped to at most one of them.
+/// Minimises both components as one graph. A new root has a different transition to each of them. No two states of
+/// `minimised` are bisimilar, so a state has at most one image there.
 std::optional<StateMap> StateMap::make(const Component& component, const Component& minimised,
                                        diagnostics::Pollable& budget) {
     const auto size = static_cast<Local>(component.size());
     std::vector<Local> images(size, 0);
-    if (size == minimised.size()) {  // minimisation has merged no states, so their numbers are unchanged
+    if (size == minimised.size()) {  // nothing was merged, so all numbers are the same
         std::iota(images.begin(), images.end(), 0U);
         return StateMap(std::move(images), size);
     }

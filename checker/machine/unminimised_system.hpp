@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a compiled process with components that are not minimised, for the display of runs. Minimisation merges states
-// of a component that differ only in the names of hidden events. So a run of minimised components may show a hidden
-// step with a name that belongs to another state.
+// Runs a compiled process whose components are not minimised. It is used to display runs: minimisation merges states
+// that differ only in the names of hidden events, so a run of minimised components may show a hidden step with a name
+// that belongs to another state.
 #pragma once
 
 #include <memory>
@@ -15,13 +15,13 @@ namespace robochart::machine {
 /// Maps the states of a component to those of a smaller one.
 class StateMap {
 public:
-    /// Removes all events that `minimised` does not have, minimises the result, and maps the states of the component to
-    /// the states of this smaller component. Returns no value if the smaller component is not `minimised`. Polls the
+    /// Removes the events that `minimised` does not have, minimises the result, and maps the states of the
+    /// component to those of the minimised result. Returns no value if this result is not `minimised`. Polls the
     /// budget.
     static std::optional<StateMap> make(const Component& component, const Component& minimised,
                                         diagnostics::Pollable& budget);
-    /// Returns the state of the smaller component. The argument must be the off state or a state that is reachable
-    /// without removed events.
+    /// Returns the state of the smaller component. `state` must be "off", or reachable without the removed
+    /// events.
     [[nodiscard]] Local image(Local state) const { return state < images_.size() ? images_[state] : off_; }
 
 private:
@@ -34,7 +34,7 @@ private:
 /// A compiled process whose components have not been minimised.
 class UnminimisedSystem final : public lts::FinerSystem {
 public:
-    /// `maps`: for each slot, the mapping from the component of `combined` to that of `minimised`.
+    /// `maps` contains, for each slot, the mapping from the component of `combined` to that of `minimised`.
     UnminimisedSystem(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const Supercombinator> minimised,
                       std::vector<StateMap> maps, const process::TermStore& terms)
         : system_(combined, terms),

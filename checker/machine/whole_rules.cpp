@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Combines a rule that requires an event of an inner region with the region's rules for that event. The order of
-// changes is that of SupercombinatorSystem: first the changes of the participants, in the order of the requirements,
-// then the rule's assignments. If several of them change one slot, the last change applies.
+// Combines a rule that requires an event of an inner region with the rules of that region for the event. Changes have
+// the same order as in SupercombinatorSystem: those of the participants, in the order of the requirements, and then the
+// assignments of the rule. If several of them change one slot, the last one counts.
 #include "checker/machine/whole_rules.hpp"
 
 #include <algorithm>
@@ -40,14 +40,14 @@ public:
     }
 
 private:
-    /// A change of one slot: its component performs an event, or a rule sets the state of the component.
+    /// A change of one slot: the component performs an event, or a rule sets its state.
     struct Change {
         std::uint32_t slot;
         std::optional<std::uint32_t> event;
         Local value;
     };
-    /// A rule of a region in terms of components: changes of components replace the events of inner regions. The
-    /// changes are in the order in which they apply.
+    /// A rule of a region in which changes of components replace the events of inner regions. The changes are in the
+    /// order in which they are applied.
     struct Changes {
         Event event = process::tau;
         std::uint32_t place = 0;

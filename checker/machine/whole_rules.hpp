@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the rules of all regions to rules of the whole process. Such a rule contains the events of the components in
-// one transition, and the priorities on which the transition depends. These rules are used for proofs about
-// transitions. Successors are computed with the rules of the regions.
+// Converts the rules of all regions to rules of the whole process. Such a rule describes one transition: the events of
+// all components, and the priorities that may prevent it. Proofs about transitions use these rules. Successors are
+// computed with the rules of the regions.
 #pragma once
 
 #include <cstdint>
@@ -21,42 +21,42 @@ struct Part {
     std::optional<Local> assigned;  ///< the state that the rule assigns to the component, independently of its event
 };
 
-/// A rule of a region through which a rule of the whole process passes, with the level of its event there.
+/// A region's rule that a rule of the whole process uses, and the level of its event in this region.
 struct Passage {
     std::uint32_t region = 0;
     std::uint32_t level = no_level;
 };
 
-/// A rule of the whole process says: if these components perform these events, the process performs this event, unless
-/// a priority prevents it.
+/// A rule of the whole process: if these components perform these events together, the process performs this event,
+/// unless a priority prevents it.
 struct WholeRule {
     Event event = process::tau;
-    std::uint32_t outermost = 0;     ///< the rule of the outermost region through which it passes
+    std::uint32_t outermost = 0;     ///< which rule of the outermost region it uses
     std::uint32_t level = no_level;  ///< the level of its event in the outermost region
     std::vector<Part> parts;         ///< ascending by slot, one for each slot
-    /// The regions that can prevent the rule, because its level in them is not the first.
+    /// The regions whose priorities can prevent the rule: its event does not have their first level.
     std::vector<Passage> prevented;
-    /// The regions in which the rule prevents all events that do not have the first level.
+    /// The regions in which the rule prevents all events below the first level.
     std::vector<std::uint32_t> preventing;
 
     [[nodiscard]] const Part* find_part(std::uint32_t slot) const;
 };
 
-/// All rules, with two indexes: the rules in which a component performs an event, and the rules that assign its state.
+/// All rules, with two indexes: in which rules a component performs an event, and which rules set its state.
 struct WholeRules {
     std::vector<WholeRule> rules;
     std::vector<std::vector<std::vector<std::uint32_t>>> asking;  ///< by slot and event
     std::vector<std::vector<std::uint32_t>> assigning;            ///< by slot
-    /// For each slot, the rules that events of its component can prevent: the component is below a region that can
-    /// prevent these rules.
+    /// For each slot: the rules that an event of its component can prevent. They pass through a region above the
+    /// component whose priorities can prevent them.
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 
-/// Returns the rules of the whole process. Returns no value if there are too many rules to be useful. Polls the budget.
+/// Returns the rules of the whole process. Returns no value if there are too many for proofs. Polls the budget.
 [[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, diagnostics::Pollable& budget);
 
-/// Returns, for each region, its rules in terms of components. The outermost region of such a rule is this region.
-/// Returns no value if there are too many rules to be useful. Polls the budget.
+/// Returns the rules of each region in terms of components. For these rules, `outermost` refers to that region. Returns
+/// no value if there are too many for proofs. Polls the budget.
 [[nodiscard]] std::optional<std::vector<std::vector<WholeRule>>> rules_of_regions(const Supercombinator& combined,
                                                                                   diagnostics::Pollable& budget);
 

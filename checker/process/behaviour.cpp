@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Divides the run of a part of a process into segments. In a segment, a sequential component runs, or an operator stays
-// while its operands move. A segment ends when its operator is resolved and an operand that had not run before
-// continues.
+// Divides the run of a part of a process into segments. During a segment, either a sequential component runs, or an
+// operator remains while its operands move. A segment ends when the operator is resolved and an operand continues that
+// had not run before.
 #include "checker/process/behaviour.hpp"
 
 #include <algorithm>
@@ -29,15 +29,15 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-/// The work spent so far on one run, including the runs of its compressed operands.
+/// The work spent so far on one run and on the separate runs of its compressed operands.
 struct Work {
     std::size_t looked_at = 0;
     std::size_t parts = 0;
 };
 
 /// Searches for a shortest run with these events. If `end` is stable, the run must end in a stable state with the same
-/// offer. Searches breadth first over pairs of a term and the number of events performed. Returns no value if the work
-/// limit is reached.
+/// offer. The search is breadth-first over pairs of a term and the number of events performed. Returns no value if it
+/// reaches the work limit.
 std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantics, TermId from,
                                                   const std::vector<Event>& events, const Behaviour& end, Work& work) {
     struct Node {
@@ -142,8 +142,8 @@ private:
     std::size_t most_parts_;
 };
 
-/// Returns false for operators that are only above sequential processes (choices, sequences): they belong to the
-/// component.
+/// Returns false for operators that are only above sequential processes (choices, sequences). They are shown as part of
+/// the component.
 bool Splitter::worth_taking_apart(TermId id, int look) {
     if (look > deepest_look) return false;
     const Term term = terms_[unfold_term(id)];
@@ -180,8 +180,8 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
     return segment;
 }
 
-/// Splits the run of a machine that results from compressing an operand. The run of the operand with the same events is
-/// reported separately.
+/// Splits the run of the machine that a compression has computed for its operand. A separate run of the operand with
+/// the same events is reported, too.
 Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
     const Term term = terms_[unfold_term(from)];

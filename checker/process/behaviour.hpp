@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splits a run of a process into the behaviours of its operands, down to the sequential components, as in FDR's debug
-// tree. Applies the firing rules backwards (firing_rules.cpp, composition_rules.cpp).
+// Splits a run of a process into the behaviours of its operands, down to sequential components, as FDR's debug tree
+// does. To do this, applies the firing rules backwards (firing_rules.cpp, composition_rules.cpp).
 #pragma once
 
 #include <limits>
@@ -11,7 +11,7 @@
 
 namespace robochart::process {
 
-/// The entry in the trace of a part for a step in which the part performs no event.
+/// In the trace of a part: the part performs no event in this step of the process.
 inline constexpr Event no_event = std::numeric_limits<Event>::max();
 
 /// What one part of a process does in a run of the whole process.
@@ -23,7 +23,7 @@ struct Behaviour {
     std::string state;            ///< description of the part's last state
     EventSet offered;             ///< visible events and tick that the last state offers
     bool stable = true;           ///< true if the last state has no tau
-    bool own_run = false;         ///< true for the operand of a compression, whose trace is that of a separate run
+    bool own_run = false;         ///< true for the operand of a compression, which has a separate run
     bool left = false;  ///< true if the part ended before the whole process: another part replaced it, or it terminated
     std::vector<Behaviour> parts;
     TermId initial{};             ///< the part's initial term
@@ -36,9 +36,9 @@ struct Behaviour {
     std::vector<std::size_t> shown_by;
 };
 
-/// Splits a run of `initial`. Each step must be a transition of the semantics. If the run is very large, its parts and
-/// their nesting are split only up to a limit. Without `offers`, the result does not contain the offers of the parts at
-/// the end, and no state after the run is computed.
+/// Splits a run of `initial`. Each step must be a transition of the semantics. The parts of a very large run, and their
+/// nesting, are split only up to a limit. Without `offers`, the result lacks the offers of the parts at the end, and no
+/// state after the run is computed.
 [[nodiscard]] Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run,
                                   bool offers = true);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface through which the operational semantics compresses operands. The semantics explores an operand, and an
-// implementation of the interface reduces the result.
+// The interface between the operational semantics and compressions. The semantics explores an operand. An
+// implementation of this interface reduces the result.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Machine {
     std::vector<TermId> meaning;  ///< by state: a term that the state represents
 };
 
-/// Thrown by Compressor::explore if the operand has too many states to be stored. The operand is then not compressed.
+/// Thrown by Compressor::explore if the operand has too many states. The semantics then does not compress it.
 class TooManyStates : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -33,8 +33,8 @@ public:
 class Compressor {
 public:
     virtual ~Compressor() = default;
-    /// Explores the operand with an engine that is faster than the firing rules. The result may be a machine with fewer
-    /// states than the operand if the compression gives the same result for both. Returns no value if no faster engine
+    /// Explores the operand with an engine that is faster than the firing rules. The result may already have fewer
+    /// states than the operand, if the compression gives the same result for both. Returns no value if no faster engine
     /// can explore the operand. Throws TooManyStates. Polls the budget.
     virtual std::optional<Machine> explore(TermId /*operand*/, Compression /*kind*/,
                                            diagnostics::Pollable& /*budget*/) {

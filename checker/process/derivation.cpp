@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds derivations by the rules in firing_rules.cpp and composition_rules.cpp. A step has several derivations if two
-// operands can both perform it without changing their states. The result is then the derivation by the first of these
+// Finds derivations by the rules in firing_rules.cpp and composition_rules.cpp. If two operands can both perform a step
+// without a change of their states, the step has several derivations. The result is then the one by the first of these
 // operands.
 #include "checker/process/derivation.hpp"
 
@@ -32,8 +32,8 @@ private:
     [[nodiscard]] bool in_set(Event event) const {
         return event != tau && event != tick && terms_.contains(SetId{term_.payload}, event);
     }
-    /// Returns a transition of the operand that has this event and, if `target` is given, leads to it. If several
-    /// transitions match, prefers one with the same hidden event.
+    /// Returns a transition of the operand with this event, and to `target` if that is given. If several match, prefers
+    /// one with the same hidden event.
     std::optional<Transition> find_move(std::size_t operand, Event event, std::optional<TermId> target) {
         std::optional<Transition> found;
         for (const Transition& transition : semantics_.successors(term_.children[operand])) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes process terms for readers. It evaluates no definition, so that printing a report cannot fail.
+// Describes process terms for readers. Never evaluates a definition, because printing a report must not fail.
 #include <string>
 #include <string_view>
 
@@ -47,7 +47,7 @@ public:
                 return join_children(term, " ⊓ ", depth);
             case Op::sync_interrupt:
                 return join_children(term, " △ ", depth);
-            // These operators are described by their first operand, because they behave like it until it ends.
+            // Until the first operand ends, these operators behave like it, so it describes them.
             case Op::sequential:
             case Op::interrupt:
             case Op::sliding:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes and caches the transitions of terms. An explicit stack stores the terms on which a term depends. So deep
-// terms use the heap and not the call stack, and recursion without an event is detected.
+// Computes and caches the transitions of terms. An explicit stack contains the terms whose transitions are needed
+// first. So deep terms do not exhaust the call stack, and recursion without an event is detected.
 #include "checker/process/operational_semantics.hpp"
 
 #include <fmt/format.h>
@@ -161,8 +161,8 @@ std::optional<Machine> OperationalSemantics::Impl::compress_operand(TermId term)
     return result;
 }
 
-/// Returns the transitions of the initial state of the compressed machine. Creates terms with known transitions for all
-/// its states. If the operand has too many states, returns the transitions of the operand.
+/// Returns the transitions of the initial state of the compressed machine. Creates a term with known transitions for
+/// each of its states. If the operand has too many states, returns the transitions of the operand itself.
 std::vector<Transition> OperationalSemantics::Impl::compressed_transitions(TermId term) {
     const std::optional<Machine> made = compress_operand(term);
     if (!made) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operational semantics of process terms. The results of all other engines are compared with it. The firing rules
-// follow Roscoe, Understanding Concurrent Systems (2010), chapter 9. Termination follows FDR: tick is an event of the
+// The operational semantics of process terms. All other engines must give the same results. The firing rules follow
+// Roscoe, Understanding Concurrent Systems (2010), chapter 9. Termination follows FDR: tick is an event of the
 // semantics, the operands of a parallel operator must terminate together, and no event follows tick.
 #pragma once
 
@@ -40,10 +40,10 @@ using Interrupted = diagnostics::LimitReached;
 /// Computes and stores the transitions of the terms of one store.
 class OperationalSemantics {
 public:
-    /// With a compressor, a compressed term is explored completely when its transitions are first needed. It then
-    /// behaves as the machine that the compressor returns. Without a compressor, or if the operand has too many states,
-    /// the term behaves as its operand. Use only one object for each store: each state of a machine is a term, and only
-    /// the object that created this term knows its transitions.
+    /// With a compressor, the operand of a compressed term is explored when the term's transitions are first needed.
+    /// The term then behaves as the machine that the compressor returns. Without a compressor, or if there are too many
+    /// states, it behaves as its operand. Use only one object for each store: the states of machines are terms, and
+    /// only the object that created such a term knows its transitions.
     explicit OperationalSemantics(TermStore& terms, Compressor* compressor = nullptr);
     ~OperationalSemantics();
     OperationalSemantics(const OperationalSemantics&) = delete;
@@ -54,9 +54,9 @@ public:
     /// definitions.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
-    /// Returns the first state of the machine that gives a compressed term its behaviour. Returns no value if the term
-    /// is not compressed, there is no compressor, the compression is omitted, or the term has no transitions. Throws as
-    /// `successors`.
+    /// Returns the first state of the machine that a compressed term runs as. Returns no value if the term is not
+    /// compressed, if there is no compressor, if the compression was omitted, or if the term has no transitions. Throws
+    /// as `successors`.
     std::optional<TermId> first_machine_state(TermId term);
     /// Returns the terms whose compression was omitted so far because their operands have too many states.
     [[nodiscard]] const std::set<TermId>& left_out() const;
@@ -71,8 +71,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// Returns a readable description of a term's state: the definitions of its active components, with arguments. Parallel
-/// components are joined by " ‖ ".
+/// Describes the state of a term for readers: the definitions of its active components, with arguments. " ‖ " joins
+/// parallel components.
 [[nodiscard]] std::string describe(const TermStore& terms, TermId term);
 
 }  // namespace robochart::process

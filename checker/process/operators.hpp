@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists, in one table, the properties of the operators that algorithms on terms need. The firing rules
-// (firing_rules.cpp and composition_rules.cpp) give the operators their meaning.
+// Lists the properties of operators that algorithms on terms need, in one table. The firing rules define the meaning of
+// the operators (firing_rules.cpp and composition_rules.cpp).
 #pragma once
 
 #include <cstddef>
@@ -23,11 +23,11 @@ enum class OpGroup : std::uint8_t {
     compression       ///< performs the steps of a machine that is computed from the operand
 };
 
-/// Which operands can perform steps from the start, so that their transitions determine those of the operator.
+/// Which operands can move from the start: their transitions determine those of the operator.
 enum class Running : std::uint8_t { none, first, all };
 
-/// The table of the store to which the payload of a term refers. It is `none` if the payload is something else or if
-/// there is none.
+/// The table to whose entries the payload of a term refers. `none` if there is no payload, or if it is of another
+/// kind.
 enum class Payload : std::uint8_t { none, set, renaming, order };
 
 /// The properties of an operator.

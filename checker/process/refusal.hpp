@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles work that fails because a process cannot be evaluated or is too large to be explored. Such a process is
-// called refused.
+// Handles processes that cannot be evaluated or have too many states. Such a process is called refused, and work on it
+// fails.
 #pragma once
 
 #include <exception>
@@ -11,8 +11,8 @@
 
 namespace robochart::process {
 
-/// Does the work and returns its result, or a default-constructed result if the process is refused. Exceptions for
-/// interruptions, lack of memory and internal errors are passed on.
+/// Calls a function and returns its result. If the process is refused, returns a default-constructed result. Passes on
+/// exceptions for interruptions, lack of memory and internal errors.
 template <typename Work>
 auto unless_refused(const Work& work) -> decltype(work()) {
     try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Process terms: trees of CSP operators over events, stored without duplicates (hash consing), so that equal terms have
-// equal ids. The CSPM evaluator builds them, the operational semantics executes them, and the compiler converts them to
+// Process terms are trees of CSP operators over events. Equal terms are stored once and have equal ids (hash consing).
+// The CSPM evaluator builds terms, the operational semantics executes them, and the compiler converts them to
 // machines.
 #pragma once
 
@@ -55,8 +55,8 @@ enum class Op : std::uint8_t {
     prioritise,        ///< one child; order
     prioritise_order,  ///< one child; payload: the pairs (higher, lower) of priority_order, stored as a renaming
     chase,             ///< one child: its taus are followed immediately; if there are several, the first one
-    /// One child; the payload is a Compression. In the models that the compression preserves, the meaning is that of
-    /// the child.
+    /// One child; the payload is a Compression. The term has the same meaning as its child in all models that the
+    /// compression preserves.
     compress,
     /// A state of a compressed machine, which only the semantics creates. Children: a term that it represents, the
     /// compressed term, and the first state (unless it is the first state itself).
@@ -76,8 +76,8 @@ enum class Compression : std::uint32_t {
     explicate,
     deter,
     lazyenumerate,
-    // Only the names of these compressions are supported: computing their transitions is an error. `sets` contains the
-    // watchdog's alphabet and event.
+    // Scripts may name these compressions, but computing their transitions is an error. `sets` contains the watchdog's
+    // alphabet and event.
     trace_watchdog,
     failure_watchdog
 };
@@ -103,8 +103,8 @@ struct Branch {
     TermId target;
 };
 
-/// Gives the definitions of the names in terms; the CSPM evaluator implements it. The term store calls each function at
-/// most once for each index and stores the result, so results must not change. Errors of the evaluation are thrown as
+/// Gives the definitions of the names in terms. The CSPM evaluator implements it. The term store calls each
+/// function at most once for each index and stores the result. So a result must never change. Throws
 /// EvaluationError.
 class Definitions {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a process term available as a transition system. Its states are terms, which take one word each.
+// A process term as a transition system. Its states are terms; each takes one word.
 #pragma once
 
 #include "checker/lts/transition_system.hpp"
@@ -7,8 +7,8 @@
 
 namespace robochart::process {
 
-/// The transition system of one term in the operational semantics. It shares the terms of the store and the cache of
-/// the semantics with other systems.
+/// The transition system of one term in the operational semantics. Several systems may share the store of terms and the
+/// cache of the semantics.
 class TermSystem final : public lts::TransitionSystem {
 public:
     TermSystem(OperationalSemantics& semantics, TermId initial) : semantics_(semantics), initial_(initial) {}
@@ -27,8 +27,8 @@ private:
     TermId initial_;
 };
 
-/// Returns the operands of an external choice, or of a name that is defined as an external choice. Returns an empty
-/// list for other terms.
+/// Returns the operands of a term that is an external choice, or the name of one. Returns an empty list for all other
+/// terms.
 [[nodiscard]] std::vector<TermId> choice_operands(TermStore& terms, TermId term);
 
 }  // namespace robochart::process

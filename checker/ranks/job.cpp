@@ -48,7 +48,7 @@ std::chrono::milliseconds read_time(ByteReader& in) {
     return std::chrono::milliseconds(time);
 }
 
-/// Writes the remaining time instead of the time of the deadline, because the clocks of two machines differ.
+/// Writes how much time remains, because the clocks of two machines may show different times.
 void write_deadline(const refine::Limits& limits, ByteWriter& out) {
     out.write_number(limits.deadline ? 1 : 0);
     if (!limits.deadline) return;

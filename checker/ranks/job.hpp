@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes a search as bytes, which rank 0 sends to the other ranks.
+// Encodes a search as bytes. Rank 0 sends them to all other ranks.
 #pragma once
 
 #include <chrono>
@@ -23,17 +23,17 @@ struct Job {
     std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 
-/// Encodes a search of a system as bytes, with the limits for every program and the number of threads in each. Returns
-/// no value if the system cannot be sent because its process was not compiled (it is still a term). `program`: the
-/// identity of the sender.
+/// Encodes a search: a system, the limits for every program, and the number of threads in each. Returns no value if the
+/// states of the system are terms, because the process was not compiled; such a system cannot be sent. `program`
+/// identifies the sender.
 [[nodiscard]] std::optional<std::string> encode(const lts::TransitionSystem& system,
                                                 const refine::LevelQuestion& question, const refine::Limits& limits,
                                                 unsigned threads, std::string_view program);
-/// Returns the identity of the program that has encoded the search. This also works for searches that other versions
-/// encoded. Throws lts::BadBytes.
+/// Returns which program has encoded the search. Other versions of the program may have encoded it. Throws
+/// lts::BadBytes.
 [[nodiscard]] std::string sender_of(std::string_view bytes);
-/// Decodes a search. `terms` must outlive the result; it may differ from the sender's store of terms. Throws
-/// lts::BadBytes if this version has not encoded the bytes.
+/// Decodes a search. `terms` need not be the sender's store of terms, but must outlive the result. Throws lts::BadBytes
+/// if another version has encoded the bytes.
 [[nodiscard]] Job decode(std::string_view bytes, process::TermStore& terms);
 
 }  // namespace robochart::ranks

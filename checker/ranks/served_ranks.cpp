@@ -58,7 +58,7 @@ std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSys
 
 namespace {
 
-/// Takes part in one search. Its budget ignores interrupts, because the first program handles them and informs all
+/// Takes part in one search. Ignores interrupts, because the first program handles them and informs all other
 /// programs.
 void take_part(Exchange& exchange, const std::string& bytes, const std::string& program) {
     process::EventTable events;
@@ -94,8 +94,8 @@ void serve_searches(Exchange& exchange, const std::string& program) {
         } catch (const refine::RankLost&) {
             throw;
         } catch (const std::exception&) {
-            // If all ranks have left the search together, rank 0 reports the reason. Otherwise other ranks wait for
-            // this rank, so this program must end.
+            // If all ranks have left the search together, rank 0 reports why. Otherwise other ranks still wait for this
+            // one, so this program must end.
             if (!exchange.left_together()) throw;
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shares searches among separate programs, or threads that act like programs. The first program parses, evaluates and
-// compiles. For each search it sends the other programs the data that they need (job.hpp). The other programs wait
-// between searches. Every program searches with several threads.
+// Distributes searches to several programs, or to threads that act like programs. The first program parses, evaluates
+// and compiles. For each search, it sends the data to the other programs (job.hpp), which wait between searches. Every
+// program searches with several threads.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace robochart::ranks {
 
-/// The first program uses this class. The other ranks of the exchange run serve_searches until this object is
-/// destroyed. The exchange must outlive the object. Each program searches with Limits::threads threads, or with one
-/// thread if this number is 0.
+/// Used by the first program. The other ranks of the exchange run serve_searches until this object is destroyed.
+/// The exchange must outlive the object. Each program searches with Limits::threads threads, or with one if this is
+/// 0.
 class ServedRanks final : public refine::LevelStrategy {
 public:
     /// `program` is the identity of this program. The other ranks reject searches of a program with another identity.
@@ -22,15 +22,15 @@ public:
     ServedRanks& operator=(const ServedRanks&) = delete;
     ~ServedRanks() override;
 
-    /// Ends the other ranks. No search is possible afterwards. The destructor calls this function if it has not been
-    /// called before, and discards its exceptions.
+    /// Ends the other ranks. Afterwards, no search is possible. If the caller has not called it, the destructor does so
+    /// and ignores its exceptions.
     void end();
-    /// Searches the system together with the other ranks. A system whose process was not compiled is searched by one
-    /// thread of the first program only.
+    /// Searches the system together with the other ranks. If the process was not compiled, only one thread of the first
+    /// program searches it.
     std::optional<refine::Violation> search(lts::TransitionSystem& system, const refine::LevelQuestion& question,
                                             refine::Budget& budget, refine::Statistics& statistics) override;
-    /// Returns true if an error has ended a search at this rank only. The other ranks then still wait for this rank. No
-    /// further search is possible, and the other programs do not end by themselves.
+    /// Returns true if a search has failed at this rank alone, so that the other ranks wait for it. No further search
+    /// is possible then, and the other programs will not end by themselves.
     [[nodiscard]] bool others_wait() const { return others_wait_; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits a model to the states that are reachable before one of its values leaves its carrier.
+// Cuts off the states of a model that are only reachable after one of its values has left its carrier.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace robochart::conformance {
 
-/// A transition system that hides errors of carriers. If a value leaves its carrier during the evaluation of a state's
-/// steps, these steps are unknown. In this system, such a state only lets time pass, forever. So a search for the steps
-/// that the model can perform before time passes reports no problem in such a state.
+/// A transition system that hides errors of carriers. If a value leaves its carrier while the steps of a state are
+/// evaluated, these steps are unknown. Here, such a state can only let time pass, forever. So a search for the steps
+/// that the model can perform before time passes finds no problem in it.
 class CarrierLimited final : public lts::TransitionSystem {
 public:
-    /// The system must outlive the object. `tock` is the system's event for the passing of time.
+    /// The system must outlive the object. `tock` is the event of the system that lets time pass.
     CarrierLimited(lts::TransitionSystem& model, lts::Event tock) : model_(model), tock_(tock) {}
 
-    /// Returns whether the steps of a state were unknown when the successors of the state were computed.
+    /// Returns true if the steps of this state turned out to be unknown when its successors were computed.
     [[nodiscard]] bool is_unknown(lts::StateView state) const { return unknown_.contains(key_of(state)); }
 
     [[nodiscard]] std::size_t width() const override { return model_.width(); }
     void initial(std::span<lts::Word> state) override { model_.initial(state); }
-    /// Throws the evaluation error again, unless the cause of the error is a value that leaves its carrier.
+    /// If the evaluation fails because a value leaves its carrier, hides the error. Passes on all other errors.
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const lts::EventTable& events() const override { return model_.events(); }
     void set_budget(diagnostics::Pollable& budget) override { model_.set_budget(budget); }

@@ -19,7 +19,7 @@ namespace {
 using Real = Deployment::Real;
 using Whole = Deployment::Int;
 
-/// Computes operands with the numbers and operators of generated code.
+/// Computes the operands of a comparison with the numbers and operators that generated code uses.
 class Computer {
 public:
     Computer(const ir::System& system, const ir::ModelComparison& comparison, const NumberSpace& space,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For reports: computes both sides of a comparison of the model in the same way as the code on the robot.
+// For reports: computes the two sides of a comparison in the model as the code on the robot computes them.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,13 @@ struct ComparedNumbers {
     bool answer = false;
 };
 
-/// Computes the sides of the comparison for a value of its type. Returns no value if the comparison contains operations
-/// other than sums, differences, multiples, and the number of one window of a sequence of reals.
+/// Computes both sides of the comparison for a value of its type. Supports sums, differences, multiples, and the number
+/// of one window in a sequence of reals. Returns no value if the comparison contains anything else.
 [[nodiscard]] std::optional<ComparedNumbers> compare_on_robot(const ir::System& system,
                                                               const ir::ModelComparison& comparison,
                                                               const NumberSpace& space, const TriedValue& value);
 
-/// The answer of the comparison in the model, for explored value `place` or for a value of the same region.
+/// Returns the answer of the model for the explored value `place`, and so for all values of the same region.
 [[nodiscard]] bool answer_in_model(const ir::ModelComparison& comparison, const NumberSpace& space,
                                    const TriedValue& value, std::size_t place);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the whole check: emits the script of the model, generates code, builds the shared object, and compares
-// (docs/conformance.md).
+// Runs the whole check: emits the script of the model, generates code, compiles it to a shared object, and compares the
+// two (docs/conformance.md).
 #include "conformance/check/conform.hpp"
 
 #include <fmt/format.h>
@@ -62,15 +62,15 @@ std::unique_ptr<SharedObject> build_code(const cpp_emit::Emission& emission, con
     return SharedObject::build(emission.files, sources, build_options, error);
 }
 
-/// Returns the text of the normal form's definition, for FDR and for readers; the check does not depend on it.
+/// Returns the definition of the normal form as text, for FDR and for readers. The check itself does not use the text.
 std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprPtr& process, const Alphabet& alphabet,
                              std::uint32_t cycle_length) {
     const NormalFormScript form = normal_form(script.definitions, process, alphabet, cycle_length, Reading::any_order);
     return cspm::print(cspm::Script{form.decls});
 }
 
-/// Adds random walks to a search that ended at its limit. If the model was not compiled as a whole, the walks follow it
-/// as terms.
+/// Continues a search that ended at its limit by random walks. If the model was not compiled as a whole, the walks
+/// follow its terms.
 Result combine_with_walks(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled,
                           const cspm::ExprPtr& process, const Interface& interface, const rc_interface& code,
                           const Options& options) {
@@ -92,7 +92,7 @@ Result combine_with_walks(Result bounded, cspm::Session& session, lts::Transitio
     return result;
 }
 
-/// Returns limits for the search. If walks may follow, the search uses only a part of the remaining time.
+/// Returns the limits for the search. If walks may follow, the search gets three quarters of the remaining time.
 refine::Limits limits_of_search(const Options& options) {
     refine::Limits limits = options.limits;
     const auto now = std::chrono::steady_clock::now();
@@ -101,8 +101,8 @@ refine::Limits limits_of_search(const Options& options) {
     return limits;
 }
 
-/// If the registers have too many valuations to try all of them in all states, tries only readings on which the code or
-/// the model depends.
+/// Used if the registers have too many valuations to try all of them in every state: tries only those readings on which
+/// the code or the model depends.
 void try_partial_readings(Result& result, lts::TransitionSystem& model, cspm::Session& session,
                           const Interface& interface, const rc_interface& code, const Options& options,
                           const EventPlaces& places) {
@@ -119,8 +119,8 @@ void try_partial_readings(Result& result, lts::TransitionSystem& model, cspm::Se
 /// Returns the text of an evaluation error.
 using FailureText = std::function<std::string(const cspm::EvaluationError&)>;
 
-/// Checks a process. If a value of the model leaves its carrier, the model is not searched. Instead, random walks
-/// follow it, each until a value leaves its carrier.
+/// Checks a process. If a value of the model leaves its carrier, the search is impossible. Random walks then follow the
+/// model; each of them ends where a value leaves its carrier.
 Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
                      const rc_interface& code, const Options& options, const EventPlaces& places,
                      const FailureText& failure_text) {
@@ -153,7 +153,7 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
     return combine_with_walks(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-/// Reports the inputs whose values cause the large number of cycles, if a limit ended the check.
+/// If a limit ended the check, reports which inputs have so many values that they cause the many cycles.
 void report_large_inputs(Result& result, const Interface& interface) {
     constexpr double many = 100;
     constexpr std::size_t most = 3;
@@ -178,8 +178,8 @@ void report_large_inputs(Result& result, const Interface& interface) {
     if (!parts.empty()) result.reason += "; --range makes carriers smaller";
 }
 
-/// Replaces definitions of the script by elements of the model after ", at " and at the end of cycles. Removes
-/// definitions that correspond to no element of the model.
+/// Replaces definitions of the script by elements of the model, after ", at " in the reason and at the end of each
+/// cycle. Removes definitions to which no element of the model corresponds.
 void name_model_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit::Provenance& provenance,
                        const diagnostics::SourceManager& sources) {
     const auto in_words = [&](const std::string& state) {
@@ -202,8 +202,8 @@ void name_model_places(Result& result, const csp_emit::Provenance& provenance,
         name_model_places(result.reason, result.cycles, provenance, sources);
 }
 
-/// For each output, whether the explored values of each argument represent all values. Empty if this is true for no
-/// argument.
+/// For each output and each of its arguments: whether the explored values represent all values. Empty if they do so for
+/// no argument.
 using Represented = std::vector<std::vector<bool>>;
 
 /// Decides the claims about cycles, if the model can be run in cycles.
@@ -215,7 +215,7 @@ void add_cycle_claims(Result& result, cspm::Session& session, const cspm::ExprPt
     CycleClaims claims = *options.claims;
     claims.carriers = claims.carriers && represented.empty();
     try {
-        // Claims read the states of the model, which a compiled process does not distinguish.
+        // Claims read the states of the model. A compiled process does not distinguish all of them.
         process::OperationalSemantics semantics(session.terms());
         process::TermSystem terms(semantics, session.process(process));
         ModelGraph graph(terms, alphabet);
@@ -226,8 +226,8 @@ void add_cycle_claims(Result& result, cspm::Session& session, const cspm::ExprPt
     }
 }
 
-/// Makes the result inconclusive if the model chooses between values. The explored values then do not represent all
-/// values.
+/// Makes the result inconclusive if the model chooses between several values: a few explored values then do not
+/// represent all values.
 void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
                     const Represented& represented, const Options& options) {
     if (represented.empty() || result.outcome != Outcome::conforms) return;
@@ -255,8 +255,8 @@ Interface interface_of_model(const ir::System& system, const ir::Instantiation& 
     return interface;
 }
 
-/// Checks code against a script. `sources` contains the texts of the model. If it is null, outcomes that the model
-/// causes are not explained with its names and places.
+/// Checks code against a script. `sources` contains the texts of the model. Without it (null), outcomes that the model
+/// causes are not explained in terms of the model.
 Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
                     const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
                     const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
@@ -316,8 +316,8 @@ cpp_emit::Options generator_options(const TimedModel& timed, const Options& opti
     return generator;
 }
 
-/// Returns the reason if code can be generated for the component, but has too many values to be explored. Other limits
-/// of the generator are reported as its errors.
+/// Returns why the values of the component are too many to explore, if this is the only obstacle. The generator reports
+/// its other limits itself.
 std::optional<std::string> reason_not_explored(const ir::System& system, const ir::Instantiation& instantiation,
                                                const ir::ComponentRef& component) {
     diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
@@ -328,7 +328,7 @@ std::optional<std::string> reason_not_explored(const ir::System& system, const i
     return fmt::format("{}: {}", beyond.front().name, beyond.front().limit);
 }
 
-/// Generates and compiles code for an instantiation and compares it with the script of this instantiation.
+/// Generates and compiles code for an instantiation. Compares it with the script of the same instantiation.
 Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, const ir::Instantiation& instantiation,
                     const csp_emit::Emission& script, const Options& options, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.error_count();
@@ -371,7 +371,7 @@ Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, 
     return result;
 }
 
-/// Checks a component with few values of some types, which may represent all of their values.
+/// Checks a component with only a few values of some types. These may represent all values of the types.
 Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& component, const Representatives& few,
                         const Options& options, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.error_count();
@@ -391,9 +391,9 @@ Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& compone
     return result;
 }
 
-/// Checks the component with as many names as represent all values. Code is compiled and explored once if this number
-/// is found quickly. Otherwise the check with the least number of names comes first, because a difference that it finds
-/// is a real difference.
+/// Checks the component with enough names to represent all values. If it is quickly known how many are enough, code is
+/// compiled and explored only once. Otherwise the check first uses the least number of names, because any difference
+/// that it finds is real.
 Result judge_names(const TimedModel& timed, const ir::ComponentRef& component, const cpp_emit::Component& resolved,
                    const Options& options, diagnostics::Diagnostics& diagnostics) {
     constexpr std::chrono::seconds quickly{1};
@@ -447,8 +447,8 @@ std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::Co
     return ValueSearch{std::move(*resolved), std::move(machines), std::move(types), std::move(*values)};
 }
 
-/// Returns the reason why value_search has no value for a component: its data need carriers. Returns "" if no input or
-/// output consists of numbers.
+/// Returns why value_search has no value for a component, that is, which data need carriers. Returns "" if inputs and
+/// outputs contain no numbers.
 std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentRef& component) {
     diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
     const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
@@ -489,8 +489,8 @@ Represented tracked_arguments(const OutputTypes& types) {
     return found ? result : Represented();
 }
 
-/// Returns the comparisons of the code that divide a region of the model's values. Returns no value if a comparison is
-/// not a form of whole numbers or of real numbers.
+/// Returns comparisons of the code that are not yet cuts of the model. Returns no value if a comparison cannot be
+/// written as a linear form of whole numbers or of reals.
 std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, const ir::ValueModel& model) {
     const auto cuts = code.comparisons(model.scale);
     if (!cuts) return std::nullopt;
@@ -499,8 +499,8 @@ std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, cons
     return result;
 }
 
-/// Returns the options for all values. If this search does not decide, a search in the carriers follows. So it makes no
-/// random walks, and uses only half of the remaining time.
+/// Returns the options of the search for all values. If it does not decide, a search in the carriers follows; so it
+/// makes no random walks and uses only half of the remaining time.
 Options options_for_all_values(const Options& options) {
     Options result = options;
     result.walks.cycles = 0;
@@ -528,7 +528,7 @@ std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef
     }
 }
 
-/// Repeats the check until the code makes no new comparisons. The new comparisons of each round become further cuts.
+/// Repeats the check with the new comparisons of the code as further cuts, until there are no new ones.
 ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRef& component, ValueSearch search,
                                   const rc_interface& code, const Options& options, const EventPlaces& places) {
     constexpr int most_rounds = 8;
@@ -601,7 +601,7 @@ TimedModel timed_model(const ir::System& system, const ir::Instantiation& instan
 
 namespace {
 
-/// The length of the longest explored sequence, and one more place.
+/// Returns the length of the longest explored sequence, plus one.
 std::size_t longest_sequence(const ir::System& system, const ir::ValueModel& model) {
     std::size_t longest = 0;
     for (const ir::ExploredValues& type : model.types) {
@@ -611,7 +611,7 @@ std::size_t longest_sequence(const ir::System& system, const ir::ValueModel& mod
     return longest;
 }
 
-/// Generates and compiles code with tracked numbers, if the component only copies and compares its data.
+/// If the component only copies and compares its data, generates and compiles code with tracked numbers.
 ForAllValues conform_for_all_values(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                                     diagnostics::Diagnostics& diagnostics) {
     const bool plain = options.relation == Relation::failures_divergences && options.exported == Export::none &&
@@ -645,7 +645,7 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     }
 }
 
-/// Returns the model in which lists that the machines build have their own carriers, or no value if there are no such
+/// Returns the model with separate carriers for the lists that machines build. Returns no value if machines build no
 /// lists.
 std::optional<TimedModel> with_longer_lists(const TimedModel& timed) {
     TimedModel result{timed.model, {}, timed.sources, timed.sound};
@@ -659,7 +659,7 @@ std::optional<TimedModel> with_longer_lists(const TimedModel& timed) {
     return result;
 }
 
-/// Checks the values of the carriers, or a few values that represent all.
+/// Checks the component with the values of the carriers, or with a few that represent all values.
 Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                            diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;
@@ -690,8 +690,8 @@ Result conform_robosim(const TimedModel& timed, const ir::ComponentRef& componen
 
 namespace {
 
-/// Checks the component for all values if possible, and otherwise for the values of the carriers, or for a few values
-/// that represent all.
+/// Checks the component for all values if possible. Otherwise checks the values of the carriers, or a few values that
+/// represent all of them.
 Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                          diagnostics::Diagnostics& diagnostics) {
     ForAllValues all = conform_for_all_values(timed, component, options, diagnostics);
@@ -699,8 +699,8 @@ Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& compon
     if (all.result && !differs) return std::move(*all.result);
     const std::optional<TimedModel> longer = with_longer_lists(timed);
     Result result = conform_in_carriers(longer ? *longer : timed, component, options, diagnostics);
-    // If a difference also occurs with values of the carriers, the report shows it with those values. A difference that
-    // occurs only beyond the carriers is a difference, too.
+    // Prefer to show the difference with values of the carriers. If it occurs only beyond the carriers, it is a
+    // difference all the same.
     if (differs && result.outcome != Outcome::differs) return std::move(*all.result);
     if (result.represented.empty()) {
         result.not_for_all = std::move(all.reason);
@@ -713,8 +713,8 @@ Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& compon
     return result;
 }
 
-/// Decides claims about cycles that compare values. They are decided in the carriers if the conformance was decided for
-/// other values.
+/// Decides claims about cycles that compare values. If conformance was decided for other values than those of the
+/// carriers, the claims still need the carriers.
 void decide_claims_in_carriers(Result& result, const TimedModel& timed, const ir::ComponentRef& component,
                                const Options& options) {
     if (options.claims == nullptr || options.numbers == Numbers::carriers) return;

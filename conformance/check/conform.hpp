@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks whether the generated code refines the model, NF_c(M) [FD= L(G), by exploring the compiled code over all
-// inputs (docs/conformance.md). NF_c(M) is RoboTool's NormalForm with its three simulation assumptions.
+// Checks whether generated code refines its model, NF_c(M) [FD= L(G). Explores the compiled code over all inputs
+// (docs/conformance.md). NF_c(M) is RoboTool's NormalForm with its three simulation assumptions.
 #pragma once
 
 #include <optional>
@@ -21,12 +21,12 @@ namespace robochart::conformance {
 [[nodiscard]] Result judge_code(const csp_emit::Emission& script, const ir::System&, const ir::Instantiation&,
                                 const ir::ComponentRef&, const rc_interface& code, const Options&);
 
-/// The timed semantics of a model, shared by all of its components.
+/// The timed semantics of a model. All components of the model use it.
 struct TimedModel {
     RenamedSystem model;
     csp_emit::Emission script;
     diagnostics::SourceManager* sources = nullptr;  ///< must outlive the object
-    bool sound = false;                             ///< true if there are no errors; otherwise no code is generated
+    bool sound = false;                             ///< false if there are errors; then no code is generated
 };
 
 /// Emits the timed semantics. Reports findings to the diagnostics.
@@ -37,8 +37,8 @@ struct TimedModel {
 struct ForAllValues {
     std::optional<Result> result;  ///< no value: not decided
     std::string reason;            ///< why the check did not decide; "": nothing to report
-    /// True if the code computes with values that the model only copies or compares with constants. Also true if the
-    /// code compares these values with constants that the model does not use.
+    /// True if the code computes with values that the model only copies or compares with constants, or compares them
+    /// with constants that the model does not use.
     bool code_tests_values = false;
 };
 /// Checks code with tracked numbers (cpp_emit::Options::tracked_scale) for all values of ideal numbers
@@ -49,8 +49,8 @@ struct ForAllValues {
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,
                              diagnostics::Diagnostics&);
-/// Generates, compiles, explores and checks one component, if no other component of the model is checked. In this case,
-/// the timed semantics need not be shared.
+/// Like the function above, but for a model whose other components are not checked. The timed semantics then need not
+/// be shared.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                              const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

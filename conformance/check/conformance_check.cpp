@@ -72,7 +72,7 @@ Witness make_witness(const std::vector<refine::Step>& steps, const Alphabet& alp
     return run;
 }
 
-/// Adds the states of the code by running it again over the inputs of the counterexample.
+/// Runs the code again over the inputs of the counterexample, and adds its states to the run.
 void add_code_states(Witness& run, CodeSystem& code) {
     std::uint32_t image = code.reset_image();
     for (std::size_t c = 0; c < run.cycles.size(); ++c) {
@@ -99,7 +99,7 @@ std::string expected_text(const refine::Counterexample& found, const Alphabet& a
 }
 
 /// Returns the event of the code that the model does not allow. L(G) offers one event at a time, except for reads. If
-/// the model requires another event, the search stops before the code's event, at the refusal.
+/// the model requires another event instead, the search stops at the refusal, before the event of the code.
 std::optional<process::Event> forbidden_event(const refine::Counterexample& found) {
     if (found.kind == refine::ViolationKind::refusal && found.offered.size() == 1) return found.offered.front();
     if (found.kind == refine::ViolationKind::trace && !found.steps.empty()) return found.steps.back().event;
@@ -156,8 +156,8 @@ void report_difference(Result& result, const refine::Counterexample& found, cons
     result.raw = std::move(run.raw);
 }
 
-/// Checks the relation. For tick-tock, divergences of the code are searched separately: NF_c(M) of a schedulable M has
-/// no divergence, so the code must have none.
+/// Checks the relation. Tick-tock does not cover divergences, so they are searched separately: a schedulable M has no
+/// divergence in NF_c(M), so the code must not have any either.
 refine::Verdict check_relation(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
                                const refine::Limits& limits, Relation relation) {
     if (relation == Relation::failures_divergences)
@@ -215,9 +215,9 @@ std::string_view meaning_of(const Aside& aside) {
     return "";
 }
 
-/// Checks schedulability. The first search checks two things together: whether M can be run in cycles, and whether it
-/// can be run in cycles that make each output once and miss no deadline. It ends at the first violation. The next
-/// search then checks the rest.
+/// Checks schedulability. The first search checks whether M can be run in cycles, and also whether each cycle makes an
+/// output only once and no deadline is missed. It ends at the first violation. If this is not a violation of the first
+/// question, the next search checks the rest.
 Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                             const refine::Limits& limits) {
     Result result;
@@ -290,8 +290,8 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
 
 namespace {
 
-/// The number of valuations of the inputs up to which trying all of them is fast. For more valuations, a search that
-/// reads registers on demand is faster.
+/// Up to this number of valuations of the inputs, it is fast to try all of them. Above it, a search that reads
+/// registers on demand is faster.
 constexpr double few_valuations = 128;
 
 }  // namespace
@@ -309,7 +309,7 @@ bool on_demand(InputSearch inputs, const Interface& interface, const rc_interfac
     return code.probe != nullptr && many_valuations(interface);
 }
 
-/// Checks with reading on demand. Throws NotProbed if another search has to decide.
+/// Checks the code by a search that reads on demand. Throws NotProbed if another search must decide.
 Result judged_on_demand(ModelGraph& graph, const Alphabet& alphabet, const rc_interface& code,
                         std::uint32_t cycle_length, const refine::Limits& limits, const EventPlaces& places) {
     Result result;
@@ -332,9 +332,9 @@ Result judged_on_demand(ModelGraph& graph, const Alphabet& alphabet, const rc_in
 
 namespace {
 
-/// Checks RoboSim code, whose specification is the component itself. The component may stop time in a cycle that it
-/// cannot end; code reports this as a missed deadline. No cycle writes an output twice, because the component cannot
-/// either.
+/// Checks RoboSim code; its specification is the component itself. If the component cannot end a cycle, it
+/// may stop time. The code reports this as a missed deadline. Neither of them writes an output twice in a
+/// cycle.
 Result judge_registers(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                        std::uint32_t cycle_length, const refine::Limits& limits, Relation relation,
                        const EventPlaces& places) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? The results
-// contain runs that are divided into control cycles.
+// Implements the two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? The runs in the
+// results are divided into control cycles.
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"
@@ -11,8 +11,8 @@
 
 namespace robochart::conformance {
 
-/// Checks that M is schedulable: no reachable state of NF_c(M) is a timelock or a divergence. If M is schedulable,
-/// `outcome` is `conforms`.
+/// Checks that M is schedulable: NF_c(M) reaches no timelock and no divergence. The outcome of a schedulable M is
+/// `conforms`.
 [[nodiscard]] Result check_schedulability(ModelGraph&, const Alphabet&, std::uint32_t cycle_length,
                                           const refine::Limits&);
 
@@ -22,19 +22,19 @@ namespace robochart::conformance {
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
-/// Returns true if the inputs have so many valuations that reading on demand is faster than trying all valuations.
+/// Returns true if the inputs have so many valuations that reading on demand is faster than trying all of them.
 [[nodiscard]] bool many_valuations(const Interface&);
 
-/// Completes a result with a run of NF_c(M) which shows that M cannot be run in cycles. `model` is the graph of M.
+/// Completes a result for a model that cannot be run in cycles: `found` shows this. `model` is the graph of M.
 void report_not_schedulable(Result&, const refine::Counterexample& found, ModelGraph& model, const Alphabet&,
                             std::uint32_t cycle_length, const refine::Limits&);
-/// Describes the violation of an additional property. The last event of the given run of NF_c(M) marks the violation.
+/// Describes why an additional property fails. The last event of the run of NF_c(M) only marks the violation.
 [[nodiscard]] Aside found_aside(const diagnostics::Rule&, std::string reason, const refine::Counterexample& found,
                                 const Alphabet&, std::uint32_t cycle_length);
 
-/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the interface of the code. The caller must have
-/// added carriers to it and, in `component`, the CSP prefix of M's events. `events` is the event table of the model. If
-/// the inputs of the component have many valuations, the search reads on demand, unless the relation is tick-tock.
+/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` describes the code. The caller must already have added
+/// the carriers to it, and in `component` the CSP prefix of M's events. `events` is the event table of the model. With
+/// many valuations of the inputs, the search reads on demand, except for tick-tock.
 [[nodiscard]] Result judge_component(lts::TransitionSystem& model, process::EventTable& events,
                                      const Interface& interface, const rc_interface& code, std::uint32_t cycle_length,
                                      const refine::Limits&, Relation = Relation::failures_divergences,

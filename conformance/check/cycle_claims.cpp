@@ -46,7 +46,7 @@ public:
         for (const Output& output : interface.outputs) outputs_.push_back(find_output(output.name));
     }
 
-    /// True if the claim can refer to the input.
+    /// Returns true if the claim can contain the input.
     [[nodiscard]] bool knows(std::uint32_t input) const { return inputs_[input].has_value(); }
     [[nodiscard]] std::optional<Occurrence> raised(std::uint32_t input, std::uint32_t reading) const {
         if (!inputs_[input]) return std::nullopt;
@@ -105,11 +105,11 @@ private:
 
 // ---------------------------------------------------------------- states
 
-/// Determines which facts of a claim hold in a state.
+/// Returns which facts of a claim are true in a state.
 using FactsOf = std::function<std::vector<FactValue>(lts::StateView)>;
 
-/// Returns the facts of the model. They are evaluated with the active states of the definitions that the model executes
-/// in a state.
+/// Returns a function for the facts of the model. A fact depends on the active states of the definitions that the model
+/// executes in a state.
 FactsOf facts_of_model(const CheckedClaim& claim, const ClaimedModel& claimed, const CycleSystem& system) {
     return [&](lts::StateView state) {
         std::vector<FactValue> result;
@@ -143,7 +143,7 @@ std::string place_of(const ir::Node& node) {
     return result;
 }
 
-/// Evaluates facts for the code of a single machine, with the place in which the machine rests.
+/// Evaluates facts for the code of a single machine. They depend on where the machine rests.
 class PlacesOfCode {
 public:
     PlacesOfCode(const CheckedClaim& claim, const ClaimedModel& claimed) {
@@ -194,7 +194,7 @@ private:
 
 // ---------------------------------------------------------------- the search
 
-/// The state of the monitor, and the inputs that have been read for a cycle that has not begun yet.
+/// A state of the monitor, with the inputs that have been read for the next cycle.
 struct Followed {
     MonitorState monitor;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> read;  ///< registers with their readings, ascending
@@ -216,7 +216,7 @@ public:
     std::vector<Move> moves;
 };
 
-/// Searches the product of a system and a monitor, breadth first.
+/// Searches the product of a system and a monitor in breadth-first order.
 class Product {
 public:
     Product(lts::TransitionSystem& system, const CheckedClaim& claim, const Alphabet& alphabet,
@@ -292,7 +292,7 @@ private:
             monitor_.observe(followed.monitor, event);
     }
 
-    /// Returns the events of the claim among the inputs of a cycle, without inputs that a declared order drops.
+    /// Returns which events of the claim the inputs of a cycle raise. Omits inputs that a declared order drops.
     [[nodiscard]] std::vector<Occurrence> raised_events(
         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& read) const {
         std::vector<bool> raised(alphabet_.interface().inputs.size());
@@ -342,7 +342,7 @@ private:
         }
     }
 
-    /// Stores the run to a node, and the event after it, in the result.
+    /// Stores in the result the run that leads to a node, followed by one more event.
     void tell(CycleAnswer& result, std::size_t at, process::Event last, std::optional<std::int64_t> unit) const {
         std::vector<process::Event> events{last};
         for (std::size_t node = at; nodes_[node].from != none; node = nodes_[node].from)
@@ -406,7 +406,7 @@ private:
     bool asked_ = false;
 };
 
-/// Runs a search. If it reaches a limit or cannot decide, the answer is inconclusive.
+/// Runs a search. The answer is inconclusive if the search reaches a limit or cannot decide.
 template <class Search>
 CycleAnswer answer(const Search& search) {
     CycleAnswer result;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides claims about control cycles (docs/claims.md, "Claims about one cycle"), for the model run in cycles, NF_c(M),
-// and for the code, L(G). A monitor for the claim follows all runs of NF_c(M) and of L(G). A claim about cycles is a
-// safety property: if the claim fails, a finite run shows the failure. So a breadth-first search of the product with
-// the monitor decides the claim.
+// Decides claims about control cycles (docs/claims.md, "Claims about one cycle") for the model run in cycles,
+// NF_c(M), and for the code, L(G). A monitor of the claim follows the runs of both. A claim about cycles is a safety
+// property: if it fails, a finite run shows this. So a breadth-first search of the product with the monitor finds
+// every failure.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ namespace robochart::conformance {
 struct CycleClaims {
     std::vector<claims::CheckedClaim> claims;
     std::optional<std::int64_t> unit;  ///< nanoseconds of a time unit, if declared
-    bool carriers = true;  ///< events have all values of the carriers; false: a few values, which represent all
+    bool carriers = true;  ///< events have all values of the carriers; false: a few that represent all of them
     std::map<std::string, std::string> refused = {};  ///< by the name of a claim: why it is not decided for this code
 };
 
@@ -34,7 +34,7 @@ struct ClaimedModel {
     const csp_emit::Provenance& provenance;
 };
 
-/// Returns true if a condition of the claim reads values of events. Such a claim is decided for the values of the
+/// Returns true if a condition of the claim reads values of events. Such a claim is decided only for the values of the
 /// carriers.
 [[nodiscard]] bool reads_values(const claims::CheckedClaim& claim);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// See cycle_schedule.hpp. A place is a state of M in a cycle, with the inputs that M has received in this cycle.
-// Consider two places with the same state of M. Suppose that the first has received only a subset of the inputs of the
-// second, and has made at least its outputs. Then the first can do everything that the second can, so only the first is
-// stored. In a place that waits for inputs that it has not received, time may pass, because their registers may be
-// empty.
+// See cycle_schedule.hpp. A place is a state of M in a cycle, with the inputs that M has received in this
+// cycle. Two places may have the same state of M. If the first has received only a subset of the second's
+// inputs and has made at least its outputs, it can do everything that the second can. So only the first is
+// stored. In a place that waits for inputs that it has not received, time may pass, because their registers may
+// be empty.
 #include "conformance/check/cycle_schedule.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ struct Place {
     ModelState model = 0;
     std::uint32_t left = 0;  ///< tocks until the end of the cycle; 0 before the first one
     std::uint32_t received = 0;
-    std::uint32_t made = 0;  ///< the set of outputs made, until one was made twice in a cycle
+    std::uint32_t made = 0;  ///< the set of outputs made in this cycle, until one is made twice in a cycle
     std::uint32_t from = nowhere;
     ModelEdge edge;  ///< the edge that led here
 };
@@ -93,7 +93,7 @@ private:
         return intern(more);
     }
 
-    /// Removes inputs that M has received and cannot receive again before time passes.
+    /// Removes inputs that M has received and cannot receive a second time before time passes.
     std::uint32_t narrowed(std::uint32_t received, ModelState model) {
         if (received == 0 || model == no_state) return 0;
         const std::vector<bool>& hears = model_.heard_inputs(model);
@@ -193,8 +193,8 @@ private:
         return kind == Kind::tau || kind == Kind::terminate || (acting && kind == Kind::output);
     }
 
-    /// Finds a loop of M without inputs and tocks. Whether the loop is possible does not depend on the inputs that M
-    /// has received.
+    /// Finds a loop of M without inputs and tocks. Inputs that M has received before do not matter for the
+    /// loop.
     void find_loop(Result& result, bool acting) {
         std::unordered_map<ModelState, std::uint32_t> first;  // a place of each state; never iterated
         std::vector<ModelState> starts;
@@ -260,7 +260,7 @@ private:
         if (kind == Kind::output) steps.push_back({edge.role.write, edge.role.write, describe(target)});
     }
 
-    /// Returns a run of NF_c(M) to this place, in which the registers of all inputs that M does not receive are empty.
+    /// Returns a run of NF_c(M) to this place. Registers of inputs that M does not receive are empty.
     [[nodiscard]] std::vector<refine::Step> steps_to(std::uint32_t place) const {
         std::vector<std::uint32_t> way;
         for (std::uint32_t at = place; at != nowhere; at = places_[at].from) way.push_back(at);
@@ -293,7 +293,7 @@ private:
         report_not_schedulable(result, found, model_, alphabet_, cycle_length_, limits_);
     }
 
-    /// A place, and an output that M makes for the second time there.
+    /// A place at which M makes an output for the second time in a cycle.
     struct Found {
         std::uint32_t place = nowhere;
         ModelEdge edge;
@@ -310,7 +310,7 @@ private:
         return found_aside(rule, words + state, run, alphabet_, cycle_length_);
     }
 
-    /// Returns the event that marks the end of such a run. No process performs it.
+    /// Returns the event at the end of such a run. It is only a mark; no process performs it.
     [[nodiscard]] process::Event mark() const { return alphabet_.events().intern("model.repeats"); }
 
     ModelGraph& model_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides whether a model can run in control cycles. The check does not try all readings of the registers; it considers
-// a register only where the model receives its input (docs/conformance.md, "Reading on demand").
+// Decides whether a model can run in control cycles. The check does not try all readings of the registers. It reads a
+// register only where the model receives its input (docs/conformance.md, "Reading on demand").
 #pragma once
 
 #include "conformance/check/result.hpp"
@@ -9,8 +9,8 @@
 
 namespace robochart::conformance {
 
-/// Gives the answer of check_schedulability (conformance_check.hpp), with a run that may be longer than necessary.
-/// `outcome` is `conforms` if M can be run in cycles. Throws diagnostics::LimitReached.
+/// Gives the same answer as check_schedulability (conformance_check.hpp), but perhaps with a longer run. The outcome is
+/// `conforms` if M can be run in cycles. Throws diagnostics::LimitReached.
 [[nodiscard]] Result schedulable_on_demand(ModelGraph&, const Alphabet&, std::uint32_t cycle_length,
                                            const refine::Limits&);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See dispatch_equivalence.hpp. Other events are raised together with the dispatched event, to check that dispatch
-// ignores them.
+// See dispatch_equivalence.hpp. Other events are raised at the same time, because dispatch must ignore
+// them.
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/standstill.hpp"
 
@@ -70,7 +70,7 @@ public:
     Comparison(const rc_interface& code, const ExploredCode& system, const Alphabet& alphabet,
                const refine::Limits& limits)
         : code_(code), system_(system), alphabet_(alphabet), budget_(limits) {
-        // One more record is reserved, because an output that the cycle never makes is a difference of the event API.
+        // Reserves one more record: an output that the cycle does not make would be a difference of the event API.
         for (Run* run : {&cycle_, &dispatched_, &again_, &whole_}) run->log.reserve(system.most_writes() + 1);
     }
 
@@ -97,7 +97,7 @@ private:
                                    [this](const DroppedInput& drop) { return drops_after(drop); });
     }
 
-    /// Checks that the events that a dispatched event drops have no effect before time passes.
+    /// Checks that an event which the dispatched event drops has no effect before time passes.
     bool drops_after(const DroppedInput& drop) {
         event_ = drop.event;
         reading_ = 1;
@@ -116,7 +116,7 @@ private:
         return check_promise(dropped, again_, "an event before it in this cycle drops it");
     }
 
-    /// Compares with each value of each other register, because dispatch must not read it.
+    /// Compares for each value of each other register. Dispatch must not read these registers.
     bool ignores_other_values(std::uint32_t reading) {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         for (std::size_t other = 0; other < inputs.size(); ++other) {
@@ -146,7 +146,7 @@ private:
         return compare_answers();
     }
 
-    /// Compares with every answer to the choices of the model.
+    /// Compares for every answer to the choices that the model leaves open.
     bool compare_answers() {
         cycle_.log.given = 0;
         do {
@@ -171,8 +171,8 @@ private:
         return check_same_effect(whole_) && (event_ != code_.events || passes_alone());
     }
 
-    /// Checks that no transition is enabled after a dispatch: another attempt to take transitions without events must
-    /// have no effect.
+    /// Checks that no transition is enabled after a dispatch. To do this, tries again to take transitions without an
+    /// event; nothing may change.
     bool is_quiescent() {
         again_.state = dispatched_.state;
         again_.log.given = 0;
@@ -190,7 +190,7 @@ private:
                check_promise(cycle_.state == other.state, other, "another state");
     }
 
-    /// Compares one call without events with a cycle without inputs. Before the machine has begun, the cycle begins it
+    /// Compares a call without an event with a cycle without inputs. If the machine has not begun, the cycle begins it
     /// or has no effect.
     bool passes_alone() {
         take_answers(whole_);
@@ -292,7 +292,7 @@ private:
     Run cycle_, dispatched_, again_, whole_;
 };
 
-/// Reports the cycles that lead to the state in which the APIs differ; the model allows all of them.
+/// Reports a difference of the APIs, with the cycles that lead to its state. The model allows these cycles.
 void apis_differ(Result& result, const ApiComparison& found, const ExploredCode& code, const Alphabet& alphabet) {
     result.outcome = Outcome::differs;
     result.api_difference = found.difference;

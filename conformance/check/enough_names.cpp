@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tries increasing numbers of names. The conditions are those of Lazić 1999 (a specification that is normalised,
-// without tests for equality). If the specification chooses between values, the number of names must exceed the number
-// of values that are live at the same time by one.
+// Tries increasing numbers of names. The conditions are from Lazić 1999 (a normalised specification without tests for
+// equality). If the specification chooses between values, there must be one name more than values that are live at the
+// same time.
 #include "conformance/check/enough_names.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::vector<std::vector<bool>> represented_arguments(const ir::System& system, c
     return result;
 }
 
-/// Returns whether each type has more names than are live after any trace.
+/// Returns true if each type has more names than can be live after a trace.
 bool names_suffice(CyclicModel& model, const Representatives& few, const refine::Limits& limits) {
     const std::vector<std::size_t> live = most_live_names(model, few, limits);
     bool enough = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes how many names of each represented type are necessary, so that a check with these names is valid for all
-// values (docs/conformance.md, "Few values for all"). The number depends only on the model and not on the code.
+// Computes how many names of each represented type are enough for a check to be valid for all values
+// (docs/conformance.md, "Few values for all"). This depends only on the model and not on the code.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,9 @@ struct EnoughNames {
     std::string reason;                ///< why `names` has no value
 };
 
-/// Finds a sufficient number of names. If NF_c(M) does not choose between values, this number is `least_names`.
-/// Otherwise it is the least number that is greater than the number of live names after any trace. If a limit is
-/// reached or the evaluation fails, the result contains the reason.
+/// Finds out how many names are enough. If NF_c(M) does not choose between values, the answer is `least_names`.
+/// Otherwise it is the least number that exceeds the number of live names after any trace. If a limit is reached or the
+/// evaluation fails, returns the reason instead.
 [[nodiscard]] EnoughNames enough_names(const RenamedSystem&, const ir::ComponentRef&, const cpp_emit::Component&,
                                        const Options&, diagnostics::SourceManager&);
 

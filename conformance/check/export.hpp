@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports L(G) for other tools, so that they can repeat the check (docs/conformance.md, "For other tools").
+// Exports L(G) in formats of other tools. They can then repeat the check (docs/conformance.md, "For other tools").
 #pragma once
 
 #include "checker/cspm/syntax/syntax.hpp"
@@ -17,8 +17,8 @@ struct CheckedCode {
     const Alphabet& alphabet;
 };
 
-/// Explores the code and stores L(G) in the requested format in `result`. If the export is impossible, stores the
-/// reason instead.
+/// Explores the code and stores L(G) in the requested format in `result`. If this is impossible, stores the
+/// reason.
 void export_code(Result& result, const CheckedCode&, const Options&);
 
 }  // namespace robochart::conformance

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows the code event by event in NF_c(M), and determinises NF_c(M) on the fly. Random walks and the search over
-// partial readings use this class.
+// Follows the code in NF_c(M), one event after the other. Determinises NF_c(M) while it does so. Random walks and the
+// search over partial readings use this class.
 #pragma once
 
 #include <functional>
@@ -35,12 +35,12 @@ public:
     [[nodiscard]] std::size_t node_count() const { return form_.size(); }
     [[nodiscard]] const NormalFormSystem& system() const { return system_; }
 
-    /// Follows an event that L(G) offers without an alternative (or, with `read`, one of all readings of a register).
-    /// NF_c(M) must allow the event, and must not require other events. Then the function advances `node` and returns
-    /// no value.
+    /// Follows an event that L(G) offers alone. With `read`, it is one of all readings of a register. NF_c(M) must
+    /// allow the event and must not require any other. If this is so, advances `node` and returns no value. Otherwise
+    /// returns the mismatch.
     [[nodiscard]] std::optional<Mismatch> follow_event(Node& node, process::Event event, bool read);
-    /// Follows the end of a cycle, after the writes of the cycle. If `cut` is true, the code made more outputs than the
-    /// log can contain. The missing outputs are then not checked.
+    /// Follows the end of a cycle, after its writes. `cut`: the code made more outputs than the log can contain. Then
+    /// the outputs that are missing are not checked.
     [[nodiscard]] std::optional<Mismatch> finish_cycle(Node& node, rc_result outcome, bool cut);
     /// Returns whether the code has terminated in the cycle that was finished last.
     [[nodiscard]] bool has_terminated() const { return over_; }
@@ -48,7 +48,7 @@ public:
     /// such register.
     [[nodiscard]] std::optional<std::uint32_t> asked_register(Node node);
     /// Sets a function that returns true for states of the model whose steps are unknown. If the model may be in such a
-    /// state, the result is a mismatch with the outcome `inconclusive`.
+    /// state, the mismatch has the outcome `inconclusive`.
     void end_where(std::function<bool(lts::StateView)> unknown) { unknown_ = std::move(unknown); }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analyses live variables (Aho, Sethi, Ullman 1986, 10.6) on the graph of NF_c(M), with names in place of variables. A
-// read of a register defines the names in it, and a write uses the names in it.
+// Computes live variables (Aho, Sethi, Ullman 1986, 10.6) on the graph of NF_c(M); names take the place of variables.
+// Reading a register defines the names in it. A write uses the names in it.
 #include "conformance/check/live_names.hpp"
 
 #include <algorithm>
@@ -64,8 +64,8 @@ private:
         return values_of(*type).at(model_.interface().inputs[role.index].texts[role.reading - 1]);
     }
 
-    /// Returns the names in a write. If a text is not a value of its type, all names are returned. The final result may
-    /// then be too large, but never too small.
+    /// Returns the names in a write. If a text is no value of its type, returns all names. The final result may then be
+    /// too large, which is sound, but never too small.
     NameSet names_of_write(process::Event event, std::uint32_t output) {
         const std::vector<std::string> arguments = model_.alphabet().written_arguments(event);
         const std::vector<ir::TypeId>& types = model_.boundary().output_types[output];
@@ -98,7 +98,7 @@ private:
     std::map<process::Event, Names> known_;
 };
 
-/// Returns the live names of each state: the least solution of the equations of the analysis.
+/// Returns which names are live in each state. This is the least solution of the equations of the analysis.
 std::vector<NameSet> live_names(const lts::Graph& graph, EventNames& events, refine::Budget& budget) {
     std::vector<NameSet> live(graph.size(), 0);
     for (bool changed = true; changed;) {
@@ -117,7 +117,7 @@ std::vector<NameSet> live_names(const lts::Graph& graph, EventNames& events, ref
     return live;
 }
 
-/// Follows the traces of the normal form in which each value that is read is a name that is not live.
+/// Follows the traces of the normal form that read only names which are not live.
 class DistinctTraces {
 public:
     DistinctTraces(const lts::Graph& graph, const std::vector<NameSet>& live, EventNames& events,

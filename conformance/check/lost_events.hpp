@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds events of the platform that may have no effect although the code conforms: events that can be missed, and
-// events that can come second.
+// Finds events that may have no effect although the code conforms: events that can be missed, and events that can come
+// second.
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there, for any readings of the
+// See missed_events.hpp. A cycle loses an event if the event's register makes no difference, for any readings of the
 // other registers.
 #include "conformance/check/missed_events.hpp"
 
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    /// The images in which an event is missed for one reason, and the states of the machine.
+    /// The images that miss an event for one reason, and the states of the machine there.
     struct Missed {
         std::vector<std::uint32_t> images;
         std::set<std::uint32_t> known;
@@ -79,7 +79,7 @@ private:
         result.push_back(std::move(found));
     }
 
-    /// Returns the maximal number of consecutive cycles that begin in these images, or no value if it is unbounded.
+    /// Returns how many cycles in succession can begin in these images, or no value if there is no bound.
     std::optional<std::uint64_t> longest_run(const Missed& all) {
         struct Visit {
             std::uint32_t image = 0;

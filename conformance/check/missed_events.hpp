@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds events that can arrive while no transition can take them, over all states of the code (docs/conformance.md,
+// Finds events that can arrive when no transition can take them. Considers all states of the code (docs/conformance.md,
 // "Events that can be missed").
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace robochart::conformance {
 
-/// Returns the events that may be raised in their register without effect. `code` must have been explored completely.
+/// Returns the events that may be in their register without any effect. All states of `code` must have been explored.
 [[nodiscard]] std::vector<MissedEvent> missed_events(const ExploredCode& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::chrono::seconds longest_explanation{10};
 
-/// Returns the actions of a run as the frame shows them: reports of writes are visible or hidden.
+/// Returns the actions of a run as the frame shows them. The frame decides whether reports of writes are visible.
 refine::Run run_of_frame(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
     refine::Run run;
     for (const refine::Step& step : steps) {
@@ -34,8 +34,8 @@ refine::Run run_of_frame(const Frame& frame, const std::vector<refine::Step>& st
     return run;
 }
 
-/// Follows hidden steps of M that are not outputs, always the first one in a state. Ends if there is no such step or a
-/// state repeats.
+/// Follows the first hidden step of M that is no output, again and again. Stops if there is none, or if a state occurs
+/// for the second time.
 void follow_hidden_steps(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run, refine::Budget& budget) {
     const auto silent = [&](const refine::RunStep& step) {
         return step.event == process::tau && alphabet.model_role(step.revealed).kind != ModelRole::Kind::output;
@@ -49,7 +49,7 @@ void follow_hidden_steps(NormalFormSystem& system, const Alphabet& alphabet, ref
     }
 }
 
-/// Converts a run of NF_c(M) to a counterexample of M, which contains the behaviour of M in this run.
+/// Converts a run of NF_c(M) to a counterexample of M: what M does in this run.
 class RunOfModel {
 public:
     RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
@@ -78,7 +78,7 @@ private:
         return process::TermId{graph_.packed_state(state).front()};
     }
 
-    /// Follows the run and returns the last state of M before it terminates.
+    /// Follows the run. Returns the last state of M before it terminates.
     ModelState follow_run(const refine::Run& run, std::vector<refine::Step>& steps,
                           std::vector<process::TermId>& terms) {
         ModelState at = normal_form_.model_state_of(run.initial).value_or(graph_.initial());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes what the model M does in a run of NF_c(M), with the names and places of the model. The check uses these
-// descriptions if a model cannot be run in cycles, or if generated code differs from its model.
+// Describes what the model M does in a run of NF_c(M), with the names and places of the model. Used if a model cannot
+// be run in cycles, and if generated code differs from its model.
 #pragma once
 
 #include <cstdint>
@@ -26,28 +26,28 @@ struct ModelWords {
     const diagnostics::SourceManager& sources;
 };
 
-/// Returns the limits of the search for one explanation. They are lower than the limits of a check: few states, and at
-/// most 10 s.
+/// Returns the limits of the search for one explanation: fewer states than in a check, and at most 10
+/// s.
 [[nodiscard]] refine::Limits limits_of_explanation(refine::Limits limits);
 
-/// Searches the normal form with this frame for a run of NF_c(M). Returns no value if the search takes too long, or if
-/// there is no such run. For a run of kind `no_trace`, only the trace must be equal.
+/// Searches the normal form with this frame for the same run of NF_c(M). If the kind of the run is `no_trace`, only the
+/// trace must be the same. Returns no value if there is no such run, or if the search takes too long.
 [[nodiscard]] std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, const Frame& frame,
                                                               const refine::Counterexample& found,
                                                               const Alphabet& alphabet, const refine::Limits& limits);
 
-/// Returns the behaviour of M in a run of NF_c(M) with this frame. To find this behaviour, the function repeats the run
-/// in the semantics of `process`. Returns no value if the search takes too long, or if there is no such behaviour.
-/// After a run of kind `no_trace`, M continues until it needs an event of the environment, so that its offers at the
-/// end are the possible next events. Throws process::Interrupted and process::SemanticsError.
+/// Returns what M does in a run of NF_c(M) with this frame. Repeats the run in the semantics of `process` to find this.
+/// After a run of kind `no_trace`, M continues until it needs an event of the environment; so its offers at the end are
+/// the events that may come next. Returns no value if there is no such behaviour, or if the search takes too long.
+/// Throws process::Interrupted and process::SemanticsError.
 [[nodiscard]] std::optional<refine::Counterexample> run_of_model(cspm::Session& session, const cspm::ExprPtr& process,
                                                                  const Alphabet& alphabet, std::uint32_t cycle_length,
                                                                  const Frame& frame,
                                                                  const refine::Counterexample& found,
                                                                  const refine::Limits& limits);
 
-/// Describes the run of M with the names and places of the model. `kind` is the kind of timed claim that the run would
-/// refute.
+/// Describes the run of M with the names and places of the model, like a counterexample to a timed claim of this
+/// kind.
 [[nodiscard]] runs::Run interpret_run(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
                                       const ModelWords& words);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans the classes: decides their contents and names.
+// Plans the classes: what they contain, and how everything in them is called.
 #include "cpp_emit/api/class_api.hpp"
 
 #include <algorithm>
@@ -58,8 +58,8 @@ private:
         return found == api_.bases.end() ? api_.own : *found;
     }
 
-    /// Returns the name itself if it is free, and otherwise the name with `suffix`. For example, an event and an
-    /// operation may have the same name.
+    /// Returns the name if no member has it yet. Otherwise returns it with `suffix`. Example: an event and an operation
+    /// may have the same name.
     std::string unique_member(const std::string& name, const char* suffix) {
         NameScope trial = members_;
         const std::string plain = trial.unique_name(name);
@@ -94,7 +94,7 @@ private:
         }
     }
 
-    /// Adds the methods for events. Called last, so that other members get their names first.
+    /// Adds the methods for events. Other members come first, so that they keep their names.
     void event_methods() {
         const auto name = [&](ApiClass& part) {
             for (ApiEvent& event : part.events)
@@ -111,7 +111,7 @@ private:
                     .variables.push_back({&stored, unique_member(stored.name(), "_variable"), copy_paths(stored)});
     }
 
-    /// Returns the members of the other machines that store copies of the variable.
+    /// Returns the members of other machines that hold a copy of the variable.
     [[nodiscard]] std::vector<std::string> copy_paths(const StoredVariable& first) const {
         std::vector<std::string> paths;
         for (const StoredVariable& stored : component_.variables)

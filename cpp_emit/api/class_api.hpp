@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans the classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment". Each
-// interface has a class, with variables as members, events as flags, and operations as methods to override. Each
-// machine has a class that inherits these classes, with states as an enumeration, a timer for each clock, and
-// MakeTransition. Only the core implements behaviour.
+// Plans the classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment". An
+// interface becomes a class with variables as members, events as flags, and operations as methods to override. A
+// machine becomes a class that inherits these, with states as an enumeration, a timer for each clock, and
+// MakeTransition. All behaviour is in the core.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct ApiOperation {
     const ir::OperationSignature* signature = nullptr;
     std::string method;       ///< name in the class
     std::string core_method;  ///< name in the core's platform
-    bool modelled = false;    ///< true if the model defines the operation; overriding it is optional
+    bool modelled = false;    ///< the model defines the operation, so users need not override it
 };
 
 /// A received or sent event: a flag, and a value if the event carries one.
@@ -28,15 +28,15 @@ struct ApiEvent {
     std::string flag;
     std::string value;
     bool sent = false;
-    /// For a received event, the method that raises it. For a sent event, the method that is called when it is sent.
+    /// For a received event: the method that raises it. For a sent event: the method that the controller calls.
     std::string method;
 };
 
 struct ApiVariable {
     const StoredVariable* stored = nullptr;
     std::string member;
-    std::vector<std::string> copies;  ///< members of State in which other machines store the variable; the class
-                                      ///< propagates writes to them
+    std::vector<std::string> copies;  ///< members of State in which other machines store the variable; the class also
+                                      ///< writes them
 };
 
 /// A class made from an interface. If `interface` is "", the machine's own members.
@@ -54,7 +54,7 @@ struct ApiTimer {
     const ir::Clock* clock = nullptr;
 };
 
-/// The members of the class that show the state of one of the component's machines.
+/// The members of the class that show the state of one machine of the component.
 struct ApiMachine {
     std::string method;               ///< "state"; for several machines "state_stm0"
     std::string enumeration;          ///< "States"
@@ -79,7 +79,7 @@ struct ClassApi {
     std::vector<ApiFunction> functions;
 };
 
-/// Calls `visit` with the public parts of all interfaces of the class, and then with the parts of the class itself.
+/// Calls `visit` for the public parts of each interface of the class, and then for the class's own parts.
 template <class Visit>
 void each_class(const ClassApi& api, const Visit& visit) {
     for (const ApiClass& base : api.bases) visit(base);
@@ -94,8 +94,8 @@ void each_class(const ClassApi& api, const Visit& visit) {
 [[nodiscard]] std::string console_source(const Generation&, const Core&, const ClassApi&);
 [[nodiscard]] std::string build_file(const ClassApi&);
 
-/// Returns the C++ names of types in the deployed code: double, std::int64_t, bool, or a type declared in the core.
-/// `core` is the core's namespace as seen from the user's namespace.
+/// Returns how types are written in the deployed code: double, std::int64_t, bool, or the name of a type in the core.
+/// `core` is how the user's namespace refers to the core's namespace.
 [[nodiscard]] Spelling deployed_spelling(const std::string& core);
 [[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
 /// Returns the C++ text of a value in the deployed types: `-0.75`, `3`, `true`, `core::Light::Red`.

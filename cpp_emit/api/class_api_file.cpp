@@ -21,14 +21,14 @@ std::string typed_parameters(const Generation& generation, const Core& core, con
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Returns parameter names for a definition that does not use its parameters. They may be equal to names of members.
+/// Returns names for parameters that the definition does not use. Such names may be equal to names of members.
 std::vector<std::string> unused_names(const std::vector<std::string>& model_names) {
     std::vector<std::string> names = parameter_identifiers(model_names);
     for (std::string& name : names) name = "/*" + name + "*/";
     return names;
 }
 
-/// Returns parameter names for a definition that passes its parameters on. They differ from the names of all members.
+/// Returns names for parameters that the definition passes on. No member has such a name.
 std::vector<std::string> passed_names(std::size_t count) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("a{}", i));
@@ -80,7 +80,7 @@ void write_function_hooks(const Generation& generation, const Core& core, const 
     }
 }
 
-/// Writes `raise_e(value)` for received events, and for sent events `on_e(value)`, which the user overrides.
+/// Writes the method of an event. `raise_e(value)` raises a received event. Users override `on_e(value)` of a sent one.
 void write_event_method(const Generation& generation, const Core& core, CodeWriter& out, const ApiEvent& event) {
     const std::string type = event.port->type ? deployed_type(generation, core.relative, *event.port->type) : "";
     out.gap();
@@ -97,7 +97,7 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
     out.close();
 }
 
-/// Returns whether some action may take time while the machine awaits the event.
+/// Returns true if an action may take time while the machine should wait for the event, so that it may be lost.
 bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent& event) {
     std::size_t place = 0;  // index among the received events
     for (const EventPort& port : generation.component.events) {
@@ -202,8 +202,8 @@ void write_platform(const Generation& generation, const Core& core, const ClassA
     out.close("};");
 }
 
-/// Writes the outside writes to the log. In the classes, variables that others write are members. A log contains the
-/// members whose values have changed.
+/// Writes to the log what others have written. In the classes, variables that others write are members. The log
+/// contains each such member whose value has changed.
 void write_outside_writes(const Core& core, const ClassApi& api, CodeWriter& out) {
     std::vector<const ApiVariable*> written;
     each_class(api, [&](const ApiClass& part) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the class `Console` of main.cpp, which raises inputs by name, prints outputs, and asks for choices.
+// Writes the class `Console` of main.cpp. It raises inputs by name, prints outputs, and asks for choices.
 #include "cpp_emit/api/console_class.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ public:
     ReadingWriter(const Generation& generation, const Core& core, CodeWriter& out)
         : generation_(generation), core_(core), out_(out) {}
 
-    /// Writes functions that read values of the declared types by their names in the model. Literals can also be given
-    /// by their number.
+    /// Writes functions that read values of the declared types, by their names in the model. A literal may also be
+    /// entered by its number.
     void write() {
         const std::vector<ir::TypeId>& declared = generation_.component.enumerations;
         if (declared.empty()) return;
@@ -210,7 +210,7 @@ void console_reading(const Generation& generation, const Core& core, CodeWriter&
 
 namespace {
 
-/// Describes the inputs that are accepted for a value of the type.
+/// Describes what the user may enter for a value of the type.
 std::string describe_input(const ir::Type& type) {
     switch (type.kind) {
         case ir::TypeKind::boolean:

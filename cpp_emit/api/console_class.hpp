@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the class of a console program: a controller that prints its outputs, and whose inputs the user raises by
+// Writes the class of a console program. Its controller prints its outputs, and the user raises its inputs by
 // name.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace robochart::cpp_emit {
 
-/// Returns whether the controller of the console class asks how choices are decided. The class then has a member
-/// `console_choices` of type robochart::ConsoleChoices.
+/// Returns true if the controller asks the user to decide choices. The class then has a member `console_choices` of
+/// type robochart::ConsoleChoices.
 [[nodiscard]] bool console_asks(const Generation&);
-/// Returns the command for a choice: "pick", or another word if an input has this name.
+/// Returns the command that answers a choice: "pick", or another word if an input is called `pick`.
 [[nodiscard]] std::string pick_word(const ClassApi&);
 /// Writes functions that read values of the model's own types (robochart/console_values.hpp), in the core's namespace.
 void console_reading(const Generation&, const Core&, CodeWriter&);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes module.cpp and robot.py of `--target python`. Conversions of values are in projects/python/python_values.hpp.
-// The conversions of the types that the model declares are written here.
+// Writes module.cpp and robot.py of `--target python`. projects/python/python_values.hpp converts most values. This
+// file writes the conversions for types that the model declares.
 #include "cpp_emit/api/python_module.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ bool is_keyword(const std::string& name) {
     return std::ranges::find(python_keywords, name) != python_keywords.end();
 }
 
-/// The name in Python, which is not among the names in `taken`: underscores are added to a keyword.
+/// Returns a name for Python that is not in `taken`. Adds underscores if the name is a keyword.
 std::string python_name(std::string name, const std::set<std::string>& taken) {
     if (!is_keyword(name)) return name;
     do name += '_';
@@ -43,7 +43,7 @@ std::string class_in_module(const ClassApi& api) {
     return python_name(api.cpp_name, {"StepResult"});
 }
 
-/// The names of a controller's members in Python.
+/// The Python names of the members of a controller.
 class MemberNames {
 public:
     explicit MemberNames(const ClassApi& api) {
@@ -185,7 +185,7 @@ private:
         out_.gap();
     }
 
-    /// Writes literals. A literal with arguments is a tuple that contains its name and its arguments.
+    /// Writes literals. Python represents a literal with arguments as a tuple of its name and its arguments.
     void write_literals(const ir::Type& of) {
         const std::vector<TypeMember> all = type_members(of);
         out_.open("static Type from(py::handle given) {");
@@ -279,8 +279,8 @@ private:
         out_.gap();
     }
 
-    /// Writes a method that calls the method of the Python class. If the class does not define it, the method of the
-    /// C++ base class is called. `result` converts the value that Python returns.
+    /// Writes a method that calls the method of the Python class. If this class does not define it, the C++ base class
+    /// does. `result` converts the value that Python returns.
     void write_override(const std::string& returned, const std::string& method,
                         const std::vector<ir::TypeId>& parameters, const std::string& result, bool needed = false) {
         std::string list, converted, passed;

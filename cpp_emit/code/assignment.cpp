@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes assignments. A variable that others see is written by a function, any other variable by a plain assignment.
+// Writes assignments. If others see the variable, a function writes it. Otherwise a plain assignment does.
 #include "cpp_emit/code/assignment.hpp"
 
 #include <fmt/format.h>

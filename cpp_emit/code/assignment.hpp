@@ -12,13 +12,13 @@
 
 namespace robochart::cpp_emit {
 
-/// Returns `write_x(value);` or a plain assignment, depending on where the variable is stored. Returns "" if the
-/// variable is neither stored nor visible.
+/// Returns `write_x(value);` or a plain assignment, as the place of the variable requires. Returns "" if the variable
+/// is neither stored nor visible to others.
 [[nodiscard]] std::string store_statement(const Generation&, const Unit&, ir::VariableId, const std::string& value);
-/// Returns whether a write of the variable may have to wait until earlier writes are propagated (semantics 3.7).
+/// Returns true if a write of the variable may have to wait until earlier writes are propagated (semantics 3.7).
 [[nodiscard]] bool may_be_held_up(const Generation&, const Unit&, ir::VariableId);
-/// Returns `!held_up_x()`, the condition that a write does not have to wait. The condition is empty if writes of the
-/// variable never have to wait.
+/// Returns `!held_up_x()`, which is true if a write need not wait. Returns an empty condition if no write of the
+/// variable ever waits.
 [[nodiscard]] CppExpr may_write(const Generation&, const Unit&, ir::VariableId);
 /// Returns the statement that resets a clock, `f.T = 0;`, or "" for a clock that is never read.
 [[nodiscard]] std::string clock_reset(const Generation&, const Unit&, ir::ClockId);

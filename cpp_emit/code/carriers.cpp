@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the functions that enumerate the carrier of a type, for quantifiers and comprehensions.
+// Writes the functions that visit all values in the carrier of a type. Quantifiers and comprehensions use them.
 #include "cpp_emit/code/carriers.hpp"
 
 #include <fmt/format.h>

@@ -27,7 +27,7 @@ std::string written_member(const Component& component, const EventUse& use) {
     return written_member(use.outlets.empty() ? to_identifier(use.once) : component.events[use.outlets.front()].output);
 }
 
-/// Returns the written members of all outputs, without duplicates.
+/// Returns the members that record which outputs are written, without duplicates.
 std::vector<std::string> written_members(const Component& component) {
     std::vector<std::string> members;
     const auto add = [&](std::string member) {

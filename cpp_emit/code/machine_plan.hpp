@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans the control points of a machine: names its nodes and transitions in the code, and decides which of them need
-// separate code (semantics 3.3, 3.4).
+// Plans the control points of a machine. Chooses names for its nodes and transitions, and decides which of them need a
+// separate piece of code (semantics 3.3, 3.4).
 #pragma once
 
 #include <cassert>
@@ -23,31 +23,31 @@ public:
         return machine().nodes[id.index];
     }
 
-    /// Returns the label of a node. In states and final nodes, control rests at the label. In initial nodes and
-    /// junctions, control chooses a transition there.
+    /// Returns the label of a node. Control rests at the label of a state or final node. At the label of an initial
+    /// node or junction, it chooses a transition.
     [[nodiscard]] const std::string& label_of(ir::NodeId id) const { return labels_[id.index]; }
     [[nodiscard]] const std::string& enter_label(ir::NodeId id) const { return enter_[id.index]; }
     [[nodiscard]] const std::string& exit_label(ir::NodeId id) const { return exit_[id.index]; }
     [[nodiscard]] const std::string& take_label(ir::TransitionId id) const { return take_[id.index]; }
-    /// Returns whether entering the node requires an action before control reaches this label.
+    /// Returns true if an action must run before control, on entering the node, reaches this label.
     [[nodiscard]] bool needs_entry(ir::NodeId) const;
-    /// Returns whether control enters the node and reaches the end of the node's program without waiting. The entry is
-    /// then a function. This is false if the program may wait, or if the junction is part of a loop, which takes one
+    /// Returns true if control always runs from the entry of the node to the end of its program without waiting. The
+    /// entry is then a function. False if the program may wait, or if the node is a junction in a loop, which takes one
     /// step in each round.
     [[nodiscard]] bool is_straight(ir::NodeId id) const { return straight_[id.index]; }
-    /// Returns whether no exit action of the state or of its inner states ever waits.
+    /// Returns true if no exit action of the state, or of a state inside it, can wait.
     [[nodiscard]] bool straight_exits(ir::NodeId id) const { return straight_exits_[id.index]; }
     /// Returns whether some inner state of the composite state has an exit action.
     [[nodiscard]] bool exits_below(ir::NodeId) const;
-    /// Returns whether the node is an initial node with a single transition, which has no trigger and no guard. The
-    /// transition is then taken together with the entry.
+    /// Returns true if the node is an initial node with a single transition without trigger and guard. The code then
+    /// takes the transition together with the entry.
     [[nodiscard]] bool is_passed_through(ir::NodeId) const;
 
-    /// For RoboSim: returns whether transitions from junctions may have to wait, because a during action has ended the
-    /// cycle.
+    /// For RoboSim: returns true if transitions from junctions may have to wait, because a during action may have ended
+    /// the cycle.
     [[nodiscard]] bool awaits_registers() const;
-    /// For RoboSim: returns whether some transition ends the cycle. Frame::next then stores the transition until the
-    /// next cycle.
+    /// For RoboSim: returns true if a transition ends the cycle. Frame::next then stores this transition until the next
+    /// cycle.
     [[nodiscard]] bool has_exec() const;
 
     /// Returns whether control rests in the node between transitions.
@@ -55,17 +55,17 @@ public:
         return node(id).kind == ir::NodeKind::final ||
                (node(id).kind == ir::NodeKind::state && !node(id).is_composite());
     }
-    /// Returns whether several transitions share a place for the state's exits, because some exit action may wait.
+    /// Returns true if an exit action may wait. Then the transitions of the state share one place for its exits.
     [[nodiscard]] bool shared_exit(ir::NodeId) const;
-    /// Returns whether Frame::leaving stores which transition of the state continues after the exits.
+    /// Returns true if Frame::leaving must store which transition of the state continues after the exits.
     [[nodiscard]] bool notes_leaving(ir::NodeId id) const { return shared_exit(id) && !straight_exits(id); }
-    /// Returns whether the transition has an exit action or an action that may wait and runs after the trigger, at
-    /// take_label.
+    /// Returns true if the transition has an exit action, or an action after its trigger that may wait. Such an action
+    /// runs at take_label.
     [[nodiscard]] bool acts_after_trigger(const ir::Transition&) const;
-    /// Returns whether entering the state has an effect: it starts a during action, a clock of sinceEntry, or a
+    /// Returns true if entering the state does something: it starts a during action, a clock of sinceEntry, or a
     /// deadline.
     [[nodiscard]] bool notes_entry(ir::NodeId) const;
-    /// Returns whether some outgoing transition has a deadline, so that the state must be left in time.
+    /// Returns true if an outgoing transition has a deadline, by which the state must be left.
     [[nodiscard]] bool is_watched(ir::NodeId) const;
     /// Returns the state and its enclosing states, innermost first.
     [[nodiscard]] std::vector<ir::NodeId> state_chain(ir::NodeId) const;

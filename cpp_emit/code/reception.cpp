@@ -12,8 +12,8 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// Returns the sender from which the event of a connection is received. With Fault::wrong_sender, returns another
-/// sender of the same type.
+/// Returns the sender whose event the connection delivers. Fault::wrong_sender replaces it by another sender of the
+/// same type.
 const EventUse& choose_sender(const Generation& generation, const EventUse& sender) {
     for (const Part& part : generation.component.parts) {
         for (const EventUse& use : part.events) {
@@ -25,7 +25,7 @@ const EventUse& choose_sender(const Generation& generation, const EventUse& send
     return sender;
 }
 
-/// Replaces the last field of `variable` by that of a value. The other fields keep their values.
+/// Assigns a value to the last field of `variable`. Its other fields do not change.
 std::string last_field(const Generation& generation, const Unit& unit, ir::VariableId variable,
                        const std::string& value, const std::string& field) {
     const std::string place = ExpressionWriter(generation, unit).variable_member(variable);
@@ -63,7 +63,7 @@ private:
                            condition_(incoming));
     }
 
-    /// Returns the condition that the event is present and its value satisfies the predicate.
+    /// Returns a condition: the event is present, and its value satisfies the predicate.
     [[nodiscard]] std::string presence_condition(const std::string& there, const std::string& incoming) const {
         return conjunction(CppExpr(there), full_condition(incoming)).whole_text();
     }
@@ -96,7 +96,7 @@ private:
         out_.close();
     }
 
-    /// Receives by rendezvous: the sender waits at one of its sites, and the receiver advances it.
+    /// Receives by rendezvous. The sender waits at one of its sites; the receiver makes it continue.
     void from_peer(const EventUse& sender) {
         const std::string& channel = choose_sender(generation_, sender).channel;
         out_.open(fmt::format("for (std::uint32_t site = 0; site != sites_{}; ++site) {{", channel));
@@ -108,8 +108,8 @@ private:
         out_.close();
     }
 
-    /// Takes an event that is not connected. It happens spontaneously as soon as it is possible, with an arbitrary
-    /// value (semantics 3.9).
+    /// Takes an event that has no connection. Such an event happens as soon as it can, with an arbitrary value
+    /// (semantics 3.9).
     bool take_spontaneous() {
         const CppExpr guard = full_condition("");
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes code that receives an event from any source: a register of the platform, another machine that waits to send
-// it, or a buffer. An event without a source is received spontaneously (semantics 3.9). Used for triggers and input
-// statements.
+// Writes code that receives an event for triggers and input statements. The source is a register of the platform,
+// another machine that waits to send the event, or a buffer. An event without a source happens spontaneously (semantics
+// 3.9).
 #pragma once
 
 #include <functional>
@@ -17,14 +17,14 @@ namespace robochart::cpp_emit {
 /// Returns a further condition on the incoming value, whose text is given. May be an empty function.
 using Condition = std::function<CppExpr(const std::string& incoming)>;
 
-/// For each source of the event, writes code that takes the event if it is present and `condition` holds. The code
-/// consumes the event, stores its value, and continues with the code that `then` writes. Returns whether the last
+/// Writes code that tries each source of the event. It takes the event if it is present and `condition` holds: it
+/// consumes the event, stores its value, and continues with the code that `then` writes. Returns true if the last
 /// source always has the event.
 bool write_reception(const Generation&, const Unit&, const ir::Communication&, CodeWriter&, const Condition& condition,
                      const std::function<void()>& then);
 
-/// Returns the condition that the value satisfies the communication's own predicate. The condition is empty if there is
-/// no predicate.
+/// Returns the condition that the value satisfies the communication's own predicate. Empty if the communication has no
+/// predicate.
 [[nodiscard]] CppExpr value_predicate(const Generation&, const Unit&, const ir::Communication&,
                                       const std::string& incoming);
 /// Returns the statement that consumes the event: `inputs_.x.present = false;`.

@@ -70,7 +70,7 @@ void ProgramWriter::resume_at(const std::string& label, const diagnostics::Forei
     begin_place(label, comment);
 }
 
-/// Returns a place at which the program can resume: the current place if it is still empty, otherwise a new place.
+/// Returns a place where the program can resume: the current place if it is still empty, otherwise a new one.
 std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
     if (current_code().empty()) return thread_.places.back().label;
     std::string label = fresh_label(stem);
@@ -83,8 +83,8 @@ std::string ProgramWriter::fresh_label(const std::string& stem) {
     return thread_.labels->numbered_name(stem);
 }
 
-/// Writes the test of the precondition in `pre & statement` (semantics 3.5). If the precondition does not hold, the
-/// thread is blocked.
+/// Writes the test of the precondition in `pre & statement` (semantics 3.5). A false precondition blocks the
+/// thread.
 void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     CppExpr conditions;
@@ -98,8 +98,8 @@ void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
     current_code().close();
 }
 
-/// Returns the place in which a thread stays after a false precondition. The place is inserted before the place that is
-/// being written.
+/// Returns the place in which a thread stays after a false precondition. This place comes before the one that is being
+/// written.
 const std::string& ProgramWriter::stuck_place() {
     assert(!thread_.places.empty() && thread_.labels != nullptr);
     const auto found = thread_.stuck.find(state_.index);
@@ -141,8 +141,8 @@ void ProgramWriter::write_statement(const ir::StmtPtr& stmt, const std::string& 
     }
 }
 
-/// For RoboSim: a statement that uses registers waits if the cycle has ended. A write waits if the cycle has already
-/// written its output.
+/// For RoboSim: a statement that uses registers waits if the cycle has ended. A write also waits if the cycle has
+/// already written its output.
 void ProgramWriter::await_cycle(const ir::Stmt& stmt, const std::string& stem) {
     const std::string waits = awaits_cycle(generation_, unit_, stmt);
     if (!waits.empty()) {
@@ -197,13 +197,13 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     resume_at(end_label, "end if");
 }
 
-/// Returns the call that must precede effects that others can observe; empty if no deadline depends on a guard.
+/// Returns the call that must come before any effect that others can observe. Empty if no deadline depends on a guard.
 std::string ProgramWriter::look_at_deadlines() const {
     if (!guards_deadlines(*unit_.machine)) return {};
     return fmt::format("watch({});", frame_arguments(generation_.component, unit_));
 }
 
-/// Waits until the last write of the variable has been propagated, because the variable accepts no other write before
+/// Waits until the last write of the variable has reached all readers. Before that, the variable accepts no other write
 /// (semantics 3.7).
 void ProgramWriter::await_propagation(const ir::Stmt& assignment, const std::string& stem) {
     const CppExpr free = may_write(generation_, unit_, assignment.variable);
@@ -224,8 +224,8 @@ void ProgramWriter::write_assignment(const ir::Stmt& stmt, const std::string& st
     write_line(store_statement(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
 }
 
-/// Writes an assignment to a part of a variable. Like the semantics, the code changes the value in a copy and stores
-/// the copy.
+/// Writes an assignment to a part of a variable. As the semantics requires, the code changes a copy and then stores the
+/// whole copy.
 void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
     const ExpressionWriter expressions(generation_, unit_);
     const std::string place = expressions.variable_member(stmt.variable);
@@ -288,7 +288,7 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     write_line(store_received(generation_, unit_, communication, value));
 }
 
-/// Awaits an event that has several sources or comes from another machine. A separate function tries the sources.
+/// Awaits an event from several sources, or from another machine. The written code tries the sources in a function.
 void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const std::string& stem) {
     const std::string at = fresh_label(stem);
     const std::string next = fresh_label(stem);
@@ -340,8 +340,8 @@ void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) 
     }
 }
 
-/// Sends an event. Outputs are made at once and in order (docs/conformance.md, A2). If both the platform and machines
-/// could receive the event, the platform receives it, because it is always ready.
+/// Sends an event. Outputs are made at once and in order (docs/conformance.md, A2). If both the platform and a machine
+/// could receive it, the platform does, because it is always ready.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
     assert(!use.ports.empty());
     const EventPort& port = generation_.component.events[use.ports.front()];
@@ -382,8 +382,8 @@ void ProgramWriter::write_call(const ir::Stmt& stmt, const std::string& stem) {
     }
 }
 
-/// Writes a call of the platform. If the thread resumes at this call, writes of other machines may have to wait for the
-/// call (semantics 3.7). The call is then also one of the thread's prompt steps, and it ends its place.
+/// Writes a call of the platform. If the thread resumes here, writes of other machines may have to wait for this call
+/// (semantics 3.7). The call is then one of the thread's prompt steps, and the place ends after it.
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                   const std::string& stem) {
     std::optional<PromptStep> prompt = reads_variables(stmt) ? std::nullopt : std::move(resumed_);
@@ -433,8 +433,8 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     current_code().line(place + " = {};");
 }
 
-/// Writes the test of an operation's preconditions. If a precondition is false, nothing after the call happens, as in
-/// the model.
+/// Writes the test of an operation's preconditions. If one is false, nothing after the call happens, as in the
+/// model.
 void ProgramWriter::require_preconditions(const ir::Stmt& call, const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
@@ -448,8 +448,8 @@ void ProgramWriter::require_preconditions(const ir::Stmt& call, const Unit& oper
     }
 }
 
-/// Returns the place of a thread after a false precondition of an operation. The place is inserted before the place
-/// that is being written. Later cycles end there too.
+/// Returns the place in which a thread stays after a false precondition of an operation. This place comes before the
+/// one that is being written. Later cycles end there too.
 std::string ProgramWriter::outside_place(const ir::Stmt& call, const Unit& operation, const ir::Expr& condition) {
     const std::string& name = operation.machine->name;
     const std::string label = thread_.labels->numbered_name("outside_" + to_identifier(name));
@@ -461,8 +461,8 @@ std::string ProgramWriter::outside_place(const ir::Stmt& call, const Unit& opera
     return label;
 }
 
-/// Writes code that offers the operation to the platform. If the platform performs it, the operation's definition in
-/// the model counts as finished: its frame moves to the final state.
+/// Writes code that offers the operation to the platform. If the platform performs it, the definition in the model need
+/// not run: its frame moves to the final state.
 void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& frame) {
     const std::size_t parameters = generation_.component.modelled_call(operation.id).signature->parameters.size();
     std::vector<std::string> texts;
@@ -481,8 +481,8 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
     }
 }
 
-/// Writes `S <{d}` (semantics 3.10). If S may have to wait, a counter measures its waiting time. If a thread continues
-/// with a communication, it holds up writes at once.
+/// Writes `S <{d}` (semantics 3.10). If S may have to wait, a counter measures for how long. If a thread continues with
+/// a communication, it holds up writes at once.
 void ProgramWriter::write_deadline(const ir::Stmt& stmt, const std::string& stem) {
     assert(stmt.body.size() == 1 && stmt.value != nullptr);
     if (!may_suspend(generation_, unit_, stmt.body[0])) return write_statement(stmt.body[0], stem);
@@ -507,8 +507,8 @@ void ProgramWriter::write_deadline(const ir::Stmt& stmt, const std::string& stem
     resumed_ = std::move(resumed);
 }
 
-/// Writes the code with which a thread starts to hold up writes. No earlier write waits at this point, unless another
-/// thread holds it up, so the counter is reset.
+/// Writes the code with which a thread starts to hold up writes. The counter is reset: unless another thread holds up
+/// writes, no earlier write is waiting.
 void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
     const Part& part = generation_.component.part_of(unit_);
     for (const StoredVariable& variable : generation_.component.variables)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes resumable programs as the cases of one switch. Each case runs to the next place where the program may have to
-// wait (for time, for an input, for an operation), stores this place and returns.
+// Writes resumable programs. Each of them is one switch. A case runs until the program may have to wait (for time, for
+// an input, for an operation). It then stores the next place and returns.
 #pragma once
 
 #include <map>
@@ -31,7 +31,7 @@ struct CallFrame {
     std::vector<std::string> live;  ///< labels of the thread at which it waits for the operation
 };
 
-/// A place where a thread waits until another machine receives the event that it sends.
+/// A place where a thread waits for another machine to receive the event that it sends.
 struct SendSite {
     std::string channel;
     std::string thread;  ///< "f.at"
@@ -40,15 +40,15 @@ struct SendSite {
     std::string value;   ///< "" if the event carries no value
 };
 
-/// A prompt step of a thread, which the thread executes before other machines write. It is a call of the platform at
-/// which the thread resumes, or the arrival at a communication with a deadline.
+/// A step that a thread performs before other machines write: a call of the platform at which the thread resumes, or
+/// the arrival at a communication with a deadline.
 struct PromptStep {
     std::string there;               ///< the condition that the thread is before the step: "f.at == At::S1_1 && f.wait
                                      ///< == 0"
     std::vector<std::string> lines;  ///< the code of the step, and the assignment of the thread's place after it
 };
 
-/// One thread of control of a machine: its transitions and entries, or the during action of a state.
+/// One thread of a machine. It runs transitions and entries, or the during action of a state.
 struct Thread {
     std::string variable;     ///< the member that stores the thread's place: "f.at"
     std::string enumeration;  ///< "At"
@@ -61,9 +61,9 @@ struct Thread {
     std::vector<SendSite> sites;
     std::vector<ViolationPlace> violations;  ///< places at which it stays after a false precondition of an operation
     std::vector<PromptStep> prompt_steps;
-    std::vector<std::string> holding;            ///< labels of places at which it awaits communications with deadlines
+    std::vector<std::string> holding;            ///< labels of places where it awaits communications with deadlines
     std::vector<std::string> held_up;            ///< labels of places at which it must write before time passes
-    std::vector<std::string> deadlines;          ///< members of the frame: remaining time plus one, 0 when no deadline
+    std::vector<std::string> deadlines;          ///< members of the frame: the remaining time plus one; 0: no deadline
                                                  ///< runs
     CodeWriter helpers{1};                       ///< functions that the code of its places calls
     std::map<std::uint32_t, std::string> stuck;  ///< by the shown state: the place after a false precondition
@@ -85,7 +85,7 @@ public:
     void begin_place(const std::string& label, const diagnostics::ForeignText& comment);
     /// Ends the current place. Control continues at another place.
     void write_jump(const std::string& label);
-    /// Lets the thread stop before the current place and resume there without another event.
+    /// Makes the thread stop before the current place. It resumes there without another event.
     void goes_on_from_here(const std::string& condition = "");
     /// Ends the current place with code written by the caller.
     [[nodiscard]] CodeWriter& current_code();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides by structural recursion over statements. Whether an event waits depends on its source or target (semantics
-// 3.9).
+// Decides by recursion over the structure of statements. Whether an event must wait depends on its source or target
+// (semantics 3.9).
 #include "cpp_emit/code/suspension.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<const ir::Expr*> evaluated_first(const ir::Stmt& stmt) {
 
 namespace {
 
-/// Returns whether the statement blocks forever if a function is called outside its precondition.
+/// Returns true if the statement blocks forever when it calls a function outside its precondition.
 bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto expressions = evaluated_first(stmt);
     return std::ranges::any_of(expressions, [&](const ir::Expr* expr) {
@@ -90,7 +90,7 @@ bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& 
     return suspends_itself(generation, unit, stmt);
 }
 
-/// Returns whether an operation may rest in a state. This is possible if none of the state's transitions is always
+/// Returns true if an operation may rest in a state: none of the transitions of this state is always
 /// enabled.
 bool may_rest(const ir::Machine& operation) {
     const auto leaves = [&](const ir::TransitionId id) {

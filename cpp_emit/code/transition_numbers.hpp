@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers the transitions of a component: those of all its machines and operations, in the order of Component::units.
-// Units for the same operation of the model share numbers. The trace hook identifies transitions by these numbers.
+// Numbers the transitions of all machines and operations of a component, in the order of Component::units. Units for
+// the same operation of the model share numbers. The trace hook refers to transitions by these numbers.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ constexpr std::size_t line_width = 120;
 
 namespace {
 
-/// Checks the text at the end. Callers have already converted names to identifiers and foreign text to literals.
+/// Checks text before it is written. Callers have converted names to identifiers and foreign text to literals.
 void require_code(std::string_view text) {
     const bool printable = std::ranges::all_of(text, [](char c) { return c >= 0x20 && c < 0x7F; });
     if (!printable)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes indented text of generated files. The writer opens and closes blocks, so the output needs no formatter.
+// Writes the indented text of generated files. The writer opens and closes blocks, so no formatter is necessary.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,9 @@
 
 namespace robochart::cpp_emit {
 
-/// Writes lines of C++. A line consists of the project's own text, identifiers (names.hpp) and literals
-/// (base/diagnostics/escape.hpp). A control character or non-ASCII character in a line is an internal error. Comments
-/// may contain any text.
+/// Writes lines of C++. A line may contain the generator's own text, identifiers (names.hpp) and literals
+/// (base/diagnostics/escape.hpp). A control character or non-ASCII character in it is an internal error. Comments may
+/// contain any text.
 class CodeWriter {
 public:
     explicit CodeWriter(std::size_t depth = 0) : depth_(depth), outermost_(depth) {}

@@ -19,8 +19,8 @@ CppExpr CppExpr::in_parentheses() const {
     return result;
 }
 
-/// Joins conditions. GCC warns about a test after another test that excludes it (`a && x == 1 && x == 2`). The warning
-/// has no name that a pragma could disable, but it does not occur if the second test is the result of a function.
+/// Joins conditions. GCC warns if an earlier test makes a later one useless (`a && x == 1 && x == 2`), and no pragma
+/// can disable this warning. GCC does not warn if the later test is the result of a function.
 CppExpr CppExpr::join_conditions(const CppExpr& first, const CppExpr& second, Binding least, Joined how) {
     assert(how != Joined::alone);
     if (first.empty()) return second;

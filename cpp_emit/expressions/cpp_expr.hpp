@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores the text of a C++ expression together with the precedence of its outermost operator.
+// Stores the text of a C++ expression and the precedence of its outermost operator.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace robochart::cpp_emit {
 /// operator and no assignment.
 enum class Binding { conditional, disjunction, conjunction, equality, order, sum, product, prefix, primary };
 
-/// A C++ expression. Its text can be read only for a given precedence, so parentheses are added wherever they are
-/// needed.
+/// A C++ expression. Readers of its text must give a precedence, so no necessary parentheses can be
+/// forgotten.
 class CppExpr {
 public:
     /// Makes an empty condition, which is always true.
@@ -41,7 +41,7 @@ public:
     friend CppExpr negation(const CppExpr& condition);
 
 private:
-    /// How the expression is joined: a single condition, or conditions joined by `&&` or by `||`.
+    /// What joins the parts of the expression: nothing (a single condition), `&&`, or `||`.
     enum class Joined { alone, all, any };
 
     /// The last test of a chain of conditions.

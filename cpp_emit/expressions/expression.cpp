@@ -28,7 +28,7 @@ TypeKind wider_kind(TypeKind left, TypeKind right) {
     return rank(left) >= rank(right) ? left : right;
 }
 
-/// Returns whether the expression has the same value everywhere in the machine.
+/// Returns true if the expression has the same value wherever the machine evaluates it.
 bool is_fixed(const ir::Expr& expr) {
     bool result = true;
     ir::visit_operands(expr, [&](const ir::Expr& part) {
@@ -106,8 +106,8 @@ std::string ExpressionWriter::fitting(ir::TypeId type, const std::string& value)
     return has_lists(generation_.system, type) ? fmt::format("fit<Types>({})", value) : value;
 }
 
-/// Returns the text of a RoboSim variable that is an event's register: whether the register is full, or its value. A
-/// register that nothing fills is empty.
+/// Returns the text of a RoboSim variable that represents the register of an event: whether the register is full, or
+/// its value. If nothing fills a register, it is always empty.
 std::string ExpressionWriter::register_text(const EventUse& use, ir::VariableId id) const {
     const Component& component = generation_.component;
     const ir::Variable& variable = unit_.machine->variables[id.index];
@@ -247,7 +247,7 @@ std::string ExpressionWriter::pair_text(const ir::Type& whole, const ir::Expr& p
                    fmt::format("robochart::convert<{}>({})", cpp_pair(generation_.system, whole), write(pair)));
 }
 
-/// Writes a call of a function. The platform computes functions that are specified only by contracts.
+/// Writes a call of a function. If only a contract specifies the function, the platform computes it.
 std::string ExpressionWriter::write_call(const ir::Expr& expr) const {
     return platform_call(expr.function, call_arguments(expr));
 }
@@ -282,7 +282,7 @@ std::string ExpressionWriter::write_index(const ir::Expr& expr) const {
     return text;
 }
 
-/// Tests membership in a range by comparison with its bounds, because ranges may be large.
+/// Writes membership in a range as comparisons with its bounds, because a range may be large.
 std::string ExpressionWriter::write_membership(const ir::Expr& expr) const {
     const ir::Expr& value = *expr.args[0];
     assert(expr.args.size() == 2);
@@ -305,8 +305,8 @@ std::string ExpressionWriter::write_let(const ir::Expr& expr) const {
     return bound_by_let(expr, expr.bound_names.size(), write_as(*expr.args.back(), expr.type));
 }
 
-/// Writes `let`. The bound names become parameters of a lambda that is called at once, because a value may use another
-/// variable with the same name.
+/// Writes `let`. The bound names become parameters of a lambda that is called at once. So a value may still use an
+/// outer variable with the same name.
 std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t count, std::string text) const {
     assert(count <= expr.bound_names.size() && count < expr.args.size());
     for (std::size_t i = count; i-- > 0;)

@@ -17,10 +17,10 @@ namespace robochart::cpp_emit {
 /// from 1.
 [[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
 
-/// Returns the parameters of a unit's functions: its frame f, and the frames of units whose variables or clocks it
-/// uses.
+/// Returns the parameters of the functions of a unit: its frame f, and the frames of other units whose variables or
+/// clocks it uses.
 [[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
-/// Returns the arguments in calls between the unit's functions: "f", "f, TurnFrame_f".
+/// Returns the arguments with which functions of a unit call each other: "f", "f, TurnFrame_f".
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
 /// Returns the arguments with which a function of `caller` calls the unit's functions. `frame` is the expression for
 /// the unit's frame in this function.
@@ -40,8 +40,8 @@ public:
     /// Sets the C++ text of `trigger_value`, the incoming value.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
-    /// Returns the expression. Every list that the code builds passes `Cycle::fit`, so that a list that is cut always
-    /// causes StepResult::capacity.
+    /// Returns the expression. Every list that the code builds passes through `Cycle::fit`. So if a list is cut, the
+    /// step always returns StepResult::capacity.
     [[nodiscard]] CppExpr cpp_expression(const ir::Expr&) const;
     /// Returns the expression, converted to a numeric type; unchanged for other types.
     [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
@@ -52,11 +52,11 @@ public:
     }
     /// Returns the text as an operand of any operator, in parentheses unless it has the highest precedence.
     [[nodiscard]] std::string write_operand(const ir::Expr& expr) const { return cpp_expression(expr).as_operand(); }
-    /// Returns the condition that the preconditions of all called functions hold, innermost calls first (semantics
-    /// 3.5). It must be tested before the expression is evaluated. It is empty if no precondition can be false.
+    /// Returns the condition that all called functions have true preconditions, innermost calls first (semantics 3.5).
+    /// The code must test it before it evaluates the expression. Empty if no precondition can be false.
     [[nodiscard]] CppExpr precondition_test(const ir::Expr&) const;
-    /// Returns the condition preceded by its preconditions. It is false if the code cannot build the lists that the
-    /// condition needs.
+    /// Returns the condition after its preconditions. It is false if the code cannot build a list that the condition
+    /// needs.
     [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
     /// Returns the member that stores a variable; "" for shared variables that are never read.
     [[nodiscard]] std::string register_text(const EventUse&, ir::VariableId) const;
@@ -71,8 +71,8 @@ private:
     [[nodiscard]] std::string fitting(ir::TypeId, const std::string& value) const;
     [[nodiscard]] std::string pair_text(const ir::Type& whole, const ir::Expr& pair) const;
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
-    /// Writes arithmetic on two operands. Reals use the operator. Whole numbers use the function with that name, which
-    /// is also defined at the limits of the type.
+    /// Writes arithmetic on two operands. For reals, uses the operator. For whole numbers, uses the function with this
+    /// name, which is also defined at the limits of the type.
     [[nodiscard]] CppExpr write_arithmetic(const ir::Expr&, const char* symbol, const char* name, Binding) const;
     [[nodiscard]] CppExpr write_negation(const ir::Expr&) const;
     [[nodiscard]] std::string write_function(const ir::Expr&, const char* name) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines what emitted machines, controllers and modules have in common: a CSPM module and the parameters of its
+// Defines the common parts of emitted machines, controllers and modules: a CSPM module and the parameters of its
 // process variants (semantics 3.12).
 #pragma once
 
@@ -48,7 +48,7 @@ void mean(Provenance&, const std::string& component, const std::string& event, E
 /// Returns the call of a function whose arguments are variables named like its parameters.
 [[nodiscard]] cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string>& parameters);
 
-/// The channels of a component (semantics 3.2), declared one by one. The meaning of each event is recorded in the
+/// Declares the channels of a component, one by one (semantics 3.2). Records the meaning of each event in the
 /// provenance.
 class ChannelDeclarations {
 public:
@@ -85,8 +85,8 @@ struct Emitted {
     Shown shown = {};  ///< the facts that machines show; empty unless there are claims about states and variables
     Provenance provenance;
     std::map<std::string, ComponentEmission> components;
-    /// Machines by their path in the model and the definitions of the operations that they call. Machines with the same
-    /// key have the same emitted form everywhere.
+    /// Machines by their key: the path in the model, and the definitions of the operations that they call. Equal keys
+    /// have equal emitted machines everywhere.
     std::map<std::string, EmittedMachine> machines = {};
     /// For each file: the new names of declarations in its CSP blocks that had to be renamed (name_clashes.hpp).
     std::map<std::string, std::map<std::string, std::string>> names_of_blocks = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the result of the emission: the script, the checks to make with it, and the meanings of its names in the
+// Defines the result of the emission: a script, the checks that need it, and what the names of the script mean in the
 // model.
 #pragma once
 
@@ -85,8 +85,8 @@ struct DefinitionMeaning {
     std::string component = {};              ///< the component that the definition belongs to: "P::C::stm_ref0"
     bool memory = false;                     ///< it holds a variable of a machine whose control state is in another
                                              ///< process
-    /// The variables in memory processes whose current values may still be read. The memories of the other variables
-    /// may contain outdated values, since a value that will not be read is not stored.
+    /// Variables in memory processes whose current values may still be read. The memories of all other variables may
+    /// contain old values, because a machine does not store a value that nobody will read.
     std::vector<std::string> remembered = {};
     std::string machine = {};  ///< the machine that runs in the component, qualified by its package: "P::S"
     /// The active states, outermost first. States of called operations follow those of their callers.
@@ -100,8 +100,8 @@ struct DefinitionMeaning {
 struct CopiesMeaning {
     std::uint32_t count = 0;
     std::string word;  ///< name of a copy, to which its number is appended, counted from 0: "robot"
-    /// Channels whose first field is the number of the acting copy. The value describes the copy's action if the
-    /// component's own events do not describe it. Otherwise it is "".
+    /// Channels whose first field is the number of the copy that acts. The value describes the action; it is "" if the
+    /// events of the component describe it already.
     std::map<std::string, std::string> channels;
 };
 
@@ -120,15 +120,15 @@ struct TransitionInside {
     ir::Origin origin;
 };
 
-/// Asks which transitions of a component can fire. A search of all states answers this, because assertions would need
-/// an event for each transition.
+/// Which transitions of a component can fire? A search of all its states answers this. Assertions cannot, because they
+/// would need an event for each transition.
 struct FiringQuestion {
     cspm::ExprPtr process;
     std::vector<TransitionInside> transitions;
 };
 
-/// Asks whether some event of the goal stays reachable from every reachable state of the process. No refinement
-/// expresses this question, so a backward search answers it (checker/refine/verdict/recurrence.hpp).
+/// Can every reachable state of the process still reach an event of the goal? No refinement can express this, so a
+/// backward search answers it (checker/refine/verdict/recurrence.hpp).
 struct RecurrenceQuestion {
     cspm::ExprPtr process;
     cspm::ExprPtr goal;  ///< a set of events
@@ -197,11 +197,11 @@ struct Emission {
 /// Options for the form of the script and for additional assertions.
 struct Options {
     bool core_properties = false;  ///< add core properties of each component (core_properties.hpp)
-    /// If a machine may have more states than this, estimated from the sizes of its carriers, its largest variables are
-    /// kept in separate memory processes.
+    /// Above this number of states, estimated from the sizes of its carriers, a machine keeps its largest variables in
+    /// separate memory processes.
     double states_of_a_process = 50'000;
-    /// If set, every state of the process determines the values of all variables of a machine. Every definition then
-    /// has all variables as parameters, including those that are no longer read, and no variable has a memory process.
+    /// If true, each state of the process determines the values of all variables of a machine. So every definition
+    /// has all variables as parameters, even those that are no longer read, and no variable is in a memory process.
     /// At a probabilistic junction, also inside operations, the state determines the values that the probabilities
     /// read.
     bool whole_states = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the beginning of every script: directions of events, bounded data types and, in timed scripts, the operators
-// that hand-written specifications use. The names are RoboTool's (semantics 3.10, 3.13), so that users' CSP blocks
-// work.
+// Writes the beginning of every script: directions of events, bounded data types and, in timed scripts, operators for
+// hand-written specifications. Names are those of RoboTool (semantics 3.10, 3.13), because the CSP blocks of users
+// contain them.
 #pragma once
 
 #include <set>
@@ -14,8 +14,8 @@ namespace robochart::csp_emit {
 
 /// Returns the library for untimed or timed scripts as CSPM text. The text is not RoboTool's.
 [[nodiscard]] std::string library_text(Time);
-/// Returns the library with the additional definitions of RoboTool's library that CSP blocks and assertions of the
-/// system mention.
+/// Returns the library. Adds definitions of RoboTool's library if a CSP block or an assertion of the system mentions
+/// them.
 [[nodiscard]] std::string library_text(const ir::System&, Time);
 
 /// Returns all top-level names that the untimed and the timed library declare, including the toolkits and the tick-tock

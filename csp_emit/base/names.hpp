@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the names of the script. Elements of the model have RoboTool's names (semantics 3.2, 3.12). Generated names
-// (parameters, program points) are made distinct from all channels, constructors and functions, because a CSPM
-// parameter with such a name would be a constructor pattern.
+// Chooses the names in the script. Elements of the model have RoboTool's names (semantics 3.2, 3.12). Generated names
+// (parameters, program points) differ from all channels, constructors and functions. Otherwise CSPM would read a
+// parameter with such a name as a pattern.
 #pragma once
 
 #include <map>
@@ -18,14 +18,14 @@ class NameManager {
 public:
     void reserve(const std::string& name) { taken_.insert(name); }
     [[nodiscard]] bool is_taken(const std::string& name) const { return taken_.count(name) != 0; }
-    /// Returns `name`, or `name_2`, `name_3`... if it is in use. If `name` does not begin with a letter, `n` is added
-    /// before it. The result then counts as used.
+    /// Returns `name`, or `name_2`, `name_3`... if it is already in use. Puts `n` before a name that does not begin
+    /// with a letter. Afterwards, the result is in use.
     [[nodiscard]] std::string unique_name(const std::string& name);
 
 private:
     std::set<std::string> taken_;
-    std::map<std::string, int> last_suffix_;  ///< the last suffix tried for each name, so that long series take linear
-                                              ///< time
+    std::map<std::string, int> last_suffix_;  ///< for each name, the last suffix that was tried; this makes long series
+                                              ///< of names take linear time
 };
 
 /// Converts `A::B` to `A_B`. The result contains only letters, digits and underscores.
@@ -41,8 +41,8 @@ private:
 [[nodiscard]] bool is_reserved(const std::string& name);
 /// True if the name is reserved and has a meaning inside the modules of components.
 [[nodiscard]] bool is_reserved_inside(const std::string& name);
-/// Returns the script's name for a parameter or bound variable of the model. Its ending keeps it distinct from the
-/// names of all elements.
+/// Returns the script's name for a parameter or a bound variable of the model. It has an ending that no element of the
+/// model has.
 [[nodiscard]] std::string bound_name(const std::string& name);
 /// True if the name has the ending of generated parameters and processes, or of bound variables.
 [[nodiscard]] bool has_generated_suffix(const std::string& name);

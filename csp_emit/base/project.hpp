@@ -24,8 +24,8 @@ struct Project {
     [[nodiscard]] bool block_applies(const ir::CspBlock& block) const {
         return is_timed() ? block.timed : block.untimed;
     }
-    /// True if a CSP block replaces the generated carriers, constants and functions (semantics 3.13). RoboTool's
-    /// documents name such a block `Instantiations`, and some models `instantiations`.
+    /// Returns true if a CSP block replaces the generated carriers, constants and functions (semantics 3.13).
+    /// RoboTool's documents call such a block `Instantiations`; some models call it `instantiations`.
     [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
         return ir::is_instantiations(block) && block_applies(block);
     }
@@ -33,15 +33,15 @@ struct Project {
     [[nodiscard]] bool instantiations_replaced() const;
     /// Reports RC-C01 and names the unsupported construct.
     void report_unsupported(const std::string& construct, diagnostics::Span span) const;
-    /// Returns the number of times that the applicable CSP blocks mention the name: a qualified or plain name, or its
-    /// last part after `::`.
+    /// Returns how often the CSP blocks that apply mention the name, qualified or plain. If it is qualified, its last
+    /// part after `::` counts, too.
     [[nodiscard]] std::size_t count_in_blocks(const std::string& name) const;
     /// True if the applicable CSP blocks mention the name.
     [[nodiscard]] bool blocks_mention(const std::string& name) const;
     /// True if an applicable CSP block or assertion mentions the component with this qualified CSPM name.
     [[nodiscard]] bool mentions_component(const std::string& path) const;
-    /// Returns the model's text at a place, or "" if the place is unknown. Each sequence of blanks becomes one blank,
-    /// and the text is cut at 80 characters.
+    /// Returns the text of the model at a place, or "" if the place is unknown. Replaces each sequence of blanks by one
+    /// blank, and cuts the text at 80 characters.
     [[nodiscard]] std::string model_text(diagnostics::Span span) const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: declares the registers of a component as channels of its CSPM module, with RoboTool's names, and defines the
+// RoboSim: declares the registers of a component as channels of its CSPM module, with RoboTool's names. Defines the
 // process of its cycles (docs/robosim.md).
 #pragma once
 
@@ -36,9 +36,9 @@ void add_register(std::vector<Register>&, Register);
 [[nodiscard]] cspm::ExprPtr register_read(const std::string& name, const std::string& part = "");
 [[nodiscard]] cspm::ExprPtr register_write(const std::string& name, const std::string& part = "");
 
-/// Declares the types RegisterDataInput and RegisterDataOutput, the sets RegisterInputs and RegisterOutputs and the
-/// channels. A component without inputs has none of those for inputs, and likewise for outputs. `also_named` are
-/// outputs that occur only in the type.
+/// Declares the types RegisterDataInput and RegisterDataOutput, the sets RegisterInputs and RegisterOutputs, and the
+/// channels. Without inputs (or outputs), a component has no declarations for them. `also_named` are outputs that only
+/// the type contains.
 void declare_registers(const Project&, const std::string& owner, const Registers&,
                        const std::vector<Register>& also_named, Provenance&, std::vector<cspm::DeclPtr>&);
 /// Returns the channels of the registers with their constructors, as in ComponentEmission::visible: "registerRead.i_x".

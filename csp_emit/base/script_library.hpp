@@ -8,8 +8,8 @@
 
 namespace robochart::csp_emit {
 
-/// Returns the library of the project's semantics (untimed or timed) and the toolkit functions that the model calls.
-/// Its syntax trees have no spans, so an error inside the library is reported where the model calls it.
+/// Returns the library for the project's semantics (untimed or timed), with the toolkit functions that the model calls.
+/// Its trees have no spans. So an error inside the library is reported at the call in the model.
 [[nodiscard]] std::vector<cspm::DeclPtr> script_library(const Project&);
 
 }  // namespace robochart::csp_emit

@@ -8,8 +8,8 @@
 
 namespace robochart::csp_emit {
 
-/// Returns the same declarations with unknown spans. The evaluator reports an error inside them at the nearest caller
-/// with a known span.
+/// Returns the same declarations without spans. The evaluator then reports errors in them at the nearest caller that
+/// has a span.
 [[nodiscard]] std::vector<cspm::DeclPtr> without_places(const std::vector<cspm::DeclPtr>&);
 
 }  // namespace robochart::csp_emit

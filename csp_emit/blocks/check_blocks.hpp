@@ -11,13 +11,13 @@
 
 namespace robochart::csp_emit {
 
-/// Reports errors in the CSP blocks of a resolved model, at their places in the model's texts. Emits each unit of the
-/// model (frontend/project/units.hpp) with the generated instantiation, once for each semantics (untimed, timed) to
-/// which one of its blocks applies. If a unit has errors or no script, checks only the syntax of its blocks.
+/// Reports errors in the CSP blocks of a resolved model, at their places in the model's texts. For each unit of the
+/// model (frontend/project/units.hpp) and each semantics (untimed, timed) of its blocks, emits the unit with the
+/// generated instantiation. If a unit has errors or no script, checks only the syntax of its blocks.
 void check_blocks(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
-/// Returns the script of an assertion file without its blocks, for the names that a block can use. Returns no value if
-/// the model has errors.
+/// Returns the script of an assertion file without its blocks. It shows which names a block can use. Returns no value
+/// if the model has errors.
 [[nodiscard]] std::optional<Emission> emission_without_blocks(const frontend::Model&, const diagnostics::SourceManager&,
                                                               diagnostics::SourceId assertions, Time,
                                                               diagnostics::Budget*);

@@ -7,8 +7,8 @@
 
 namespace robochart::csp_emit {
 
-/// Checks the script by FDR's rules (cspm::check_types). For a name that is not in scope, the finding suggests names of
-/// the script. An error in an assertion generated for a claim of the model (`system`) is reported at the place of the
+/// Checks the script by FDR's rules (cspm::check_types). Suggests names of the script for a name that is not in
+/// scope. If an assertion was generated for a claim of the model (`system`), its errors are reported at the
 /// claim.
 void check_script(const Emission&, const ir::System& system, diagnostics::Diagnostics&);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emits the structure that controllers and modules share: parts in parallel, synchronisation on connected events,
-// propagation of writes to shared variables (semantics 3.7, 3.9).
+// Emits what controllers and modules have in common: parts in parallel, synchronisation on connected events, and copies
+// of writes to shared variables (semantics 3.7, 3.9).
 #pragma once
 
 #include <map>
@@ -56,7 +56,7 @@ struct Composition {
     std::vector<std::tuple<std::size_t, std::size_t, std::string>> joined;
 };
 
-/// Records a connection. An end consists of a part and an event. Without a part, it is an end of the composition
+/// Records a connection. Each end is an event of a part. If there is no part, it is an event of the composition
 /// itself.
 void connect_ends(Composition&, std::optional<std::size_t> from, const std::string& from_event,
                   std::optional<std::size_t> to, const std::string& to_event);

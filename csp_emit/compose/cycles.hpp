@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emits RoboSim's controllers and modules in cycles (docs/robosim.md). The cycle has the same phases as that of a
-// machine. At the beginning of a cycle, the composition reads its inputs and passes them to the parts. Then it passes
-// on the writes of the parts one by one. The execution of the composition ends when the executions of all parts have
-// ended. A part sees an event from another part only in the next cycle.
+// Emits RoboSim's controllers and modules in cycles (docs/robosim.md). Their cycle has the same phases as that of a
+// machine. First the composition reads its inputs and passes them to the parts. Then it passes on the writes of the
+// parts, one by one. Its execution ends when the executions of all parts have ended. A part sees an event of another
+// part only in the next cycle.
 #pragma once
 
 #include <map>
@@ -29,8 +29,8 @@ struct InnerRegister {
     std::vector<RegisterOfPart> writers, readers;
 };
 
-/// The registers of a composition, and their connections to the registers of its parts. A register of a part that is in
-/// no member is not connected. An unconnected input has an arbitrary value in each cycle, and an unconnected output is
+/// The registers of a composition, and their connections to registers of its parts. If no member contains a register
+/// of a part, it is not connected: as an input it has an arbitrary value in each cycle, and as an output it is
 /// discarded.
 struct CycleLinks {
     std::vector<Registers> parts;

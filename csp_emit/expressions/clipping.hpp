@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Describes where the finite instantiation changes values. Arithmetic clips results outside their type, and a function
-// without a body returns a default value (semantics 3.13). During the exploration of processes, the checker records the
-// calls of these functions. This file describes the recorded calls in terms of the model.
+// without a body returns a default value (semantics 3.13). While the checker explores processes, it records the calls
+// of such functions. This file explains these calls in terms of the model.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace robochart::csp_emit {
 /// Returns the tree with this span in every call and every division that has no known span.
 [[nodiscard]] cspm::ExprPtr with_place(const cspm::ExprPtr&, diagnostics::Span);
 
-/// Describes how the call deviates from the model. Returns no value if the call returns the model's value. Examples: "2
-/// + 1 leaves its type and is taken as 2", "f has no body here and is taken as 0".
+/// Describes how the result of the call differs from that in the model. Returns no value if both are equal. Examples:
+/// "2 + 1 leaves its type and is taken as 2", "f has no body here and is taken as 0".
 [[nodiscard]] std::optional<std::string> reached_bound(const Emission&, const ir::Instantiation&,
                                                        const cspm::ObservedCall&);
 

@@ -9,8 +9,8 @@
 
 namespace robochart::csp_emit {
 
-/// Returns the variables that get memories. They are the largest variables, and as few as possible such that the
-/// process with the other variables as parameters is small enough (Options::states_of_a_process).
+/// Chooses the variables that get memories. It takes the largest variables, and only as many as necessary: the process
+/// with all others as parameters must be small enough (Options::states_of_a_process).
 [[nodiscard]] std::vector<Remembered> choose_memories(MachineTables&, const std::vector<Function>& functions);
 
 }  // namespace robochart::csp_emit

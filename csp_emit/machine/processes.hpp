@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts configurations to functions. The rules are applied from the initial configuration on. Each configuration
-// that waits for an event gets a function, and the body of the function is the external choice of its branches.
+// Converts configurations to functions, starting at the initial one. Each configuration that waits for an event gets a
+// function. Its body is the external choice of the branches that the rules give.
 //
-// A step that needs no event is executed at once by changing arguments. A step that needs an event is a branch. A step
-// gets its own hidden event if something else could happen between it and its neighbours: an external write to a
-// required variable, a step of another thread, or a transition that interrupts a during action.
+// A step without an event is executed at once, by changing arguments. A step with an event is a branch. If something
+// else could happen between a step and its neighbours, the step gets a hidden event. This can be a write of another
+// component to a required variable, a step of another thread, or a transition that interrupts a during action.
 #pragma once
 
 #include <optional>
@@ -22,9 +22,9 @@ public:
 
     /// Returns the machine's process at its start.
     [[nodiscard]] cspm::ExprPtr initial_process();
-    /// Returns the functions of all points reachable from the initial one, in order, then the functions that continue
-    /// after shared calls. The body of one function may add further points and return points. Calls between the
-    /// functions are sparse (liveness.hpp).
+    /// Returns the functions of all points that are reachable from the initial point, in order. After them come the
+    /// functions that continue after shared calls. While a body is made, further points and return points may be added.
+    /// Calls between the functions are sparse (liveness.hpp).
     [[nodiscard]] std::vector<Function> make_functions();
 
 private:

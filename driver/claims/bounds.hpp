@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the bounds of the finite instantiation that runs reach. At such a bound, a value is clipped, a value is chosen,
-// or a value does not belong to its type.
+// Finds which bounds of the finite instantiation runs reach. At a bound, a value is clipped or chosen, or it is not a
+// value of its type.
 #pragma once
 
 #include <map>
@@ -41,9 +41,9 @@ private:
     std::vector<Ground> met_;
 };
 
-/// Finds the bounds that runs of a claim's processes reach. The search for an answer explores each component of a
-/// composition with all inputs of the component. So the search also observes bounds that no run of the whole process
-/// reaches. Therefore, this class explores the states of the whole process again, up to a limit.
+/// Finds the bounds that runs of a claim's processes reach. The search for an answer explores each component alone,
+/// with all its inputs. So it also observes bounds that no run of the whole process reaches. Therefore this class
+/// explores the states of the whole process once more, up to a limit.
 class ReachedBounds {
 public:
     /// All arguments must outlive the object.

@@ -10,7 +10,7 @@
 
 namespace robochart::driver {
 
-/// Returns a text to append to the error, such as "; type Twist has about 2e+15 values: ...", with a remedy. Returns ""
+/// Returns a cause and a remedy as text after the error, such as "; type Twist has about 2e+15 values: ...". Returns ""
 /// if the cause is unknown.
 [[nodiscard]] std::string cause_of(const Project&, const cspm::EvaluationError&);
 

@@ -21,9 +21,9 @@ struct CertifiedClaim {
     std::vector<const cspm::Decl*> assertions;  ///< all of them hold, and together they are the claim
 };
 
-/// Writes a certificate for each assertion of a claim that holds, to the folder that the settings name. If one
-/// assertion has no certificate, no certificate is written. If the program robochart-certify is in the folder of this
-/// program or in PATH, the function then runs it to check the certificates.
+/// Writes a certificate for each assertion of a claim that holds, into the folder that the settings name. Writes none
+/// if one assertion has no certificate. Then checks them with robochart-certify, if this program is in the folder of
+/// the current one or in PATH.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
 /// Writes a certificate to its folder below `root`. If the program robochart-certify is found, the function then runs

@@ -22,8 +22,8 @@ struct ClassProject {
 /// Returns true if the settings choose carriers of numbers.
 [[nodiscard]] bool chooses_ranges(const Project& project);
 
-/// Returns true if all claims are decided in the finite instantiation. This is the case if the settings require the
-/// finite instantiation or choose ranges, if a CSP block replaces the instantiation, or if the claims are claims of a
+/// Returns true if all claims must be decided in the finite instantiation: the settings
+/// require it or choose ranges, a CSP block replaces it, or the claims are claims of a
 /// swarm.
 [[nodiscard]] bool keeps_carriers(const Project& project, const Settings& settings);
 
@@ -39,13 +39,13 @@ struct FreeProject {
     bool has_large_carriers = false;   ///< true if it replaces data with large carriers that `classes` does not replace
 };
 [[nodiscard]] FreeProject free_project(const Project& project, const Settings& settings, const ClassProject& classes);
-/// Returns true if an answer for the free model also applies to the model, which refines the free model. This is the
-/// case if the answer states that a specification allows all behaviour of the free model. It is not the case if the
-/// answer states that a run exists, or that steps are possible from all states.
+/// Returns true if an answer for the free model also applies to the model, which refines the free model. An answer
+/// applies if it says that a specification allows all behaviour of the free model. It does not if it says that a run
+/// exists, or that steps are possible from all states.
 [[nodiscard]] bool carries_over(const csp_emit::Obligation& obligation, Answer found);
 
-/// Returns true if some claim may observe values of events. Such claims are comparisons of components, rules, claims of
-/// claims files, and claims with CSP blocks.
+/// Returns true if a claim may observe values of events: comparisons of components, rules, claims of claims files, and
+/// claims with CSP blocks.
 [[nodiscard]] bool has_observers(const Project& project);
 /// Returns true if the answer with classes does not decide a claim of determinism. An answer `holds` does not decide
 /// the claim if names of classes replace outputs. If conditions relate variables, neither answer decides the claim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides claims of the model. If carriers limit the answer to a claim, the claim is also decided with free data
+// Decides claims of the model. If carriers may limit the answer to a claim, decides the claim with free data, too
 // (docs/data.md, "Computed data").
 #pragma once
 
@@ -24,8 +24,8 @@ public:
     [[nodiscard]] bool may_exist() const { return possible_ && (!made_ || made_->project); }
     /// Returns the project. Makes the project if it has not been made.
     [[nodiscard]] const FreeProject& project();
-    /// Returns true if the carriers are so large that claims are first decided with free data. Makes the project only
-    /// if some carrier is large.
+    /// Returns true if carriers are so large that claims should first be decided with free data. The project with free
+    /// data is only made in this case.
     [[nodiscard]] bool comes_first();
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds conditions that read clocks. If a part of a condition reads a clock, the untimed semantics assumes that this
-// part is true. Therefore such conditions belong to the basis of verdicts.
+// Finds conditions that read clocks. The untimed semantics assumes that the parts of a condition which read clocks are
+// true. So such conditions belong to the basis of verdicts.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out which claims of a project can be decided although other claims, or components that they do not use, have
-// errors.
+// Finds out which claims of a project can still be decided if other claims have errors, or components that they do not
+// use.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace robochart::driver {
 
-/// Divides the claims and blocks of a project into those that can be decided and those that have errors or may depend
-/// on errors.
+/// Divides the claims and blocks of a project in two: those that can be decided, and those that have errors or may
+/// depend on errors.
 struct BrokenClaims {
     /// The files of one side. If both sides contain a file, `texts` contains the text of this file without the items of
     /// the other side, by index in Model::files.

@@ -25,11 +25,11 @@ void check_type(const TypeDeclaration& type, Diagnostics& out);
 void check_provision(const Component& component, Diagnostics& out);
 /// Checks rules Cn2 to Cn11 (without Cn10), C6 and M3: connections of a controller or module.
 void check_connections(const Component& component, Diagnostics& out);
-/// Checks rule Cn10: the component at a connection end has the event. A component without a whole interface is reported
-/// once. It is not reported if errors at its own uses of the events have been reported.
+/// Checks rule Cn10: each end of a connection is an event that the component has. If a whole interface is missing,
+/// reports the component once, and not at all if the uses of the events inside it have already been reported.
 void check_ends(const Model& model, const Names& names, Diagnostics& out);
-/// Checks rules Cn5 to Cn9: the direction of a connection agrees with the events that machines send and receive, and
-/// with the connections inside controllers.
+/// Checks rules Cn5 to Cn9: the direction of a connection must fit the events that machines send and receive, and the
+/// connections inside controllers.
 void check_directions(const Component& component, Diagnostics& out);
 /// Checks rules TT1, TE1, TE4, TE5 and CE2, about clocks and deadlines, and RC-U01, about untimed checks.
 void check_time(const Machine& machine, Diagnostics& out);
@@ -40,8 +40,8 @@ void check_simulation(const Simulation& simulation, Diagnostics& out);
 /// Checks rules RC-Y07 and RC-Y15: the lengths that a claim of RoboSim gives to cycles are positive numbers, and the
 /// components that it compares have a common register.
 void check_claim(const Assertion& assertion, Diagnostics& out);
-/// Returns the value of an expression over literals and constants that have values. The function follows at most
-/// `constants` references, because constants may refer to each other cyclically.
+/// Returns the value of an expression over literals and constants with values. Follows at most `constants` references,
+/// because the definitions of constants may form a cycle.
 [[nodiscard]] std::optional<double> constant_value(const Expr& expr, int constants = 20);
 /// Checks rule RC-N03: declarations, assertions and csp blocks have different names.
 void check_unique(const Model& model, const Names& names, Diagnostics& out);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates RoboChart to RoboSim: writes a RoboSim model that behaves like a RoboChart component when the component is
-// run in cycles, and claims that state this (docs/robosim.md, "From RoboChart").
+// Translates RoboChart to RoboSim. Writes a RoboSim model that behaves like a RoboChart component that is run in
+// cycles, and claims which state that it does (docs/robosim.md, "From RoboChart").
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct RoboSimFiles {
     std::string one_way;  ///< why the claims do not state that the component refines the model; "": they do
 };
 
-/// Writes the component with this full name. If RoboSim has no equal component, reports the cause (RC-Y17) and returns
-/// no value.
+/// Writes the component with this full name. If RoboSim has no component with the same behaviour, reports why (RC-Y17)
+/// and returns no value.
 [[nodiscard]] std::optional<RoboSimFiles> write_robosim(const Model& model, const std::string& component,
                                                         std::uint32_t cycle, diagnostics::Diagnostics&);
 

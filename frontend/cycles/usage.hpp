@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes what a RoboChart state machine and the operations that it calls read and write. These are the registers of
-// the RoboSim machine that runs it in cycles.
+// Computes what a RoboChart state machine and the operations that it calls read and write. The RoboSim machine that
+// runs it in cycles needs registers for these.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formats RoboChart and assertion text in the standard layout (docs/format.md). Only blanks and line ends change.
-// Tokens, comments, CSP blocks and parts for other tools are not changed.
+// Formats RoboChart models and assertion files in the standard layout (docs/format.md). Changes only blanks and line
+// ends. Does not change tokens, comments, CSP blocks, and parts for other tools.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace robochart::frontend {
 
-/// Returns the text in the standard layout. Formatting the result again does not change it. Returns no value if the
-/// text has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost, which is an
+/// Returns the text in the standard layout. Formatting it again changes nothing. If the text has syntax errors,
+/// reports them and returns no value. Throws std::logic_error if a token or comment would be lost, which is an
 /// internal error.
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,
                                                 bool is_assertions, diagnostics::Diagnostics&);

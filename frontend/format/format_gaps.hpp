@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formats tokens and the gaps between them (private to the formatter). Every token is written when it is read, so no
-// token is lost even if the formatter misreads the text.
+// Formats tokens and the gaps between them (private to the formatter). Writes each token as soon as it is read. So no
+// token is lost, even if the formatter misunderstands the text.
 //
-// The name of a function is the construct that the function formats. Its comment shows an example of the construct, and
-// its first parameter is the gap before the construct.
+// Each function formats one construct and has its name. The comment of the function shows an example of the construct.
+// The first parameter is the gap before it.
 #pragma once
 
 #include <cstdint>

@@ -24,8 +24,8 @@ public:
     /// "there is no X `x` …".
     diagnostics::Diagnostic& report_unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                             const std::vector<std::string>& candidates);
-    /// Returns true at the first call for this component and interface. A component without a clause for an interface
-    /// lacks all members of the interface, but only the first missing member is reported.
+    /// Returns true only at the first call for a component and an interface. If a component has no clause for an
+    /// interface, all members of the interface are missing there, but only the first one is reported.
     bool first_missing(const Declaration* component, const Context* interface) {
         return missing_.emplace(component, interface).second;
     }

@@ -34,8 +34,8 @@ struct Place {
     std::optional<Dialect> dialect = std::nullopt;  ///< the dialect of the component; no value: the dialect of the file
 };
 
-/// Returns the nearness of two files: the number of folders that contain both, plus one. No file is nearer to a file
-/// than the file itself. Toolkits are farther away than all other files.
+/// Returns how near two files are: the number of folders that contain both, plus one. A file is nearest to itself.
+/// Toolkits are farther away than any other file.
 [[nodiscard]] std::size_t file_nearness(const File& a, const File& b);
 
 /// All declarations at package level or inside components, by their full names such as `P::C::S`.
@@ -54,8 +54,8 @@ public:
     [[nodiscard]] const std::vector<const Declaration*>& declarations_of(const std::string& full_name) const;
     /// Returns the simple names of all declarations of these kinds, for suggestions.
     [[nodiscard]] std::vector<std::string> names_of_kinds(const Kinds& kinds) const;
-    /// Returns the declaration with this simple name and kind anywhere in the project. If there are several, the first
-    /// full name in alphabetical order is taken.
+    /// Returns the declaration with this simple name and kind, wherever it is in the project. Of several, returns the
+    /// one whose full name comes first in the alphabet.
     [[nodiscard]] const Declaration* find_anywhere(std::string_view simple_name, const Kinds& kinds) const;
     /// Returns the interface that declares an event, clock, variable (or constant) or operation signature of this name,
     /// or null if there is none. If there are several, the first full name in alphabetical order is taken.
@@ -77,8 +77,8 @@ public:
     [[nodiscard]] bool is_lost(const QualifiedName& name) const;
     /// True if `is_lost` returned true since the last call of this function.
     [[nodiscard]] bool take_asked_lost() const { return std::exchange(asked_lost_, false); }
-    /// Returns the number of parts of the longest full name or package name. A longer name cannot refer to a
-    /// declaration as a whole.
+    /// Returns how many parts the longest full name or package name has. A name with more parts cannot refer to a whole
+    /// declaration.
     [[nodiscard]] std::size_t most_parts() const { return most_parts_; }
     [[nodiscard]] const std::map<std::string, std::vector<const Declaration*>>& entries() const { return by_name_; }
 

@@ -63,7 +63,7 @@ std::set<std::string> outputs_replaced(const System& system, const Places& place
     return result;
 }
 
-/// Finds classes for a system in which holders may have replaced groups of related variables.
+/// Finds classes for a system. Holders may already have replaced groups of related variables.
 class Attempt {
 public:
     Attempt(RelatedSystem related, const Instantiation& instantiation, Computed computed)
@@ -83,13 +83,13 @@ public:
             terms_[places_.class_of(holder_of(relation))] = relation.text;
     }
 
-    /// Returns a relation whose holder has no classes.
+    /// Returns the first related group for whose holder no classes were found.
     [[nodiscard]] std::optional<GroupId> relation_without_classes() const {
         for (const Relation& relation : related_.relations)
             if (!classes_.contains(places_.class_of(holder_of(relation)))) return relation.group;
         return std::nullopt;
     }
-    /// Returns the conditions on values without classes, if no other use requires the values themselves.
+    /// Returns conditions on values without classes. Omits those whose values another use requires themselves.
     [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
         std::set<const Expr*> result;
         for (const auto& [flow, uses] : uses_) {
@@ -99,7 +99,7 @@ public:
         }
         return result;
     }
-    /// Returns no value if no data are replaced.
+    /// Returns no value if classes replace no data.
     [[nodiscard]] std::optional<ClassModel> result() const;
     [[nodiscard]] std::vector<KeptData> kept_data() const {
         std::vector<KeptData> result;
@@ -171,7 +171,7 @@ std::optional<ClassModel> Attempt::result() const {
 
 RelatedSystem related_system(const System& system, const Instantiation& instantiation,
                              const std::set<GroupId>& refused) {
-    // in RoboSim, the store of an input is not part of its communication, so no class of a term replaces the input
+    // In RoboSim, an input is communicated before it is stored, so a class of a term cannot replace the input.
     if (std::ranges::any_of(system.machines, &Machine::robosim)) return {system, {}};
     const Sampling sampling(system, instantiation);
     Places places(system);

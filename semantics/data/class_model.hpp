@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replaces the data of a model by classes of values, so that results hold for all values and not only for those of
-// finite carriers (docs/data.md). The result is an ordinary system, in which classes are enumerations.
+// Replaces the data of a model by classes of values. So results hold for all values, and not only for those of finite
+// carriers (docs/data.md). The result is an ordinary system in which enumerations represent the classes.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct ReplacedData {
     std::string term;  ///< the term that the conditions read, as in "d - l"; "" if they read single values
     std::size_t classes = 0;
     std::size_t conditions = 0;
-    /// True if the classes contain all values of the type. Otherwise they contain only the values that occur.
+    /// True if the classes contain all values of the type. False if they contain only values that occur.
     bool all_values = false;
     bool nothing_tested = false;  ///< no condition reads the values
 };
@@ -34,41 +34,41 @@ struct RelatedVariable {
     std::int64_t initial = 0;      ///< the initial value, in units
 };
 
-/// Variables that the class model replaces by one variable. It holds the class of a linear term of their values
-/// (docs/data.md, "Relations of variables").
+/// Variables that the class model replaces by one variable, the holder. It holds the class of a linear term over their
+/// values (docs/data.md, "Relations of variables").
 struct RelatedVariables {
     std::string machine;  ///< "P::S"
     std::string holder;   ///< the name of the variable that holds the class, one of `variables`
     std::vector<RelatedVariable> variables;
     std::int64_t scale = 1;  ///< the number of units that represent 1
     bool whole = false;      ///< the variables have the type int; otherwise real
-    /// By the text of a class: a value of the term in this class, in units.
+    /// For the text of each class: a value of the term in this class, in units.
     std::map<std::string, std::int64_t> term_values;
-    /// By the qualified name of a transition or statement: the variable that stores its input.
+    /// For the qualified name of a transition or statement: the variable in which it stores its input.
     std::map<std::string, std::string> stored_by;
-    bool assigned = false;  ///< the machine also changes these variables without an input
+    bool assigned = false;  ///< the machine changes these variables in other ways than by inputs
 };
 
-/// A system whose data are classes of values, with the data for reports about it.
+/// A system whose data are classes of values, and facts about it for reports.
 struct ClassModel {
     System system;
     Instantiation instantiation;
     std::vector<ReplacedData> data;  ///< not empty
-    bool small_carriers = true;      ///< each replaced type has at most 64 values in the finite instantiation
-    /// The machines ("P::S") for which classes replace values of outputs and calls. Two outputs with different values
-    /// may then have the same name, so the class model of a nondeterministic machine may be deterministic.
+    bool small_carriers = true;      ///< no replaced type has more than 64 values in the finite instantiation
+    /// The machines ("P::S") whose outputs and calls have classes as values. Two outputs with different values may then
+    /// have one name. So if such a machine is nondeterministic, its class model may still be deterministic.
     std::set<std::string> outputs_replaced;
-    /// The number of conditions whose answers the class model chooses (free_model).
+    /// The number of conditions for which the class model chooses the answer (free_model).
     std::size_t free_conditions = 0;
-    /// The groups of related variables. The name of an input of such a variable depends on the values of the other
-    /// variables, so a machine and its class model may differ in determinism.
+    /// The groups of related variables. How an input of such a variable is named depends on the values of the other
+    /// variables. So if a machine is deterministic, its class model need not be, and conversely.
     std::vector<RelatedVariables> related;
 };
 
-/// True if the system has data of types that classes can replace. The use of the data in the model determines whether
-/// classes replace them.
+/// Returns true if the system has data of types that classes can replace. Whether they are replaced depends on how the
+/// model uses the data.
 [[nodiscard]] bool has_data(const System& system);
-/// True if the type of some data that classes can replace has more than 64 values in the finite instantiation.
+/// Returns true if data that classes can replace have a type with more than 64 values in the finite instantiation.
 [[nodiscard]] bool has_large_carriers(const System& system, const Instantiation& instantiation);
 
 /// The class model of a system, and the data that keep their carriers.
@@ -77,19 +77,19 @@ struct Classification {
     std::vector<KeptData> kept;       ///< the data with numbers (has_numbers), in the order of their first places
 };
 
-/// Replaces all data that can be replaced. Properties of the system must not observe values of events, because the
-/// class model has the same event names but different values.
+/// Replaces all data that can be replaced. Event names stay the same, but values change. So properties of the system
+/// must not observe values of events.
 [[nodiscard]] Classification classify_data(const System& system, const Instantiation& instantiation);
 
-/// Returns a class model that makes internal choices. It chooses the classes of computed values, and the answers of
-/// conditions that the classes do not determine. The ideal model refines it in traces, failures and divergences, if
-/// values of events are not observed (semantics/data/free_conditions.hpp). So a refinement that holds for the class
-/// model also holds for the model. A refinement that fails for the class model may still hold for the model. Returns no
-/// value if no data can be replaced. Properties must not observe values of events.
+/// Returns a class model with internal choices: of the classes of computed values, and of the answers of conditions
+/// that the classes do not determine. The ideal model refines it in traces, failures and divergences if values of
+/// events are not observed (semantics/data/free_conditions.hpp). So a refinement that holds for the class model also
+/// holds for the model. If it fails for the class model, it may still hold for the model. Properties must not observe
+/// values of events. Returns no value if no data can be replaced.
 [[nodiscard]] std::optional<ClassModel> free_model(const System& system, const Instantiation& instantiation);
 
-/// Describes the classes of a class model for readers of its scripts. Each type of classes has one line, followed by
-/// one line for each class with one of its values. The lines contain names of the model.
+/// Describes the classes of a class model to people who read its scripts. Gives one line for each type of classes, and
+/// below it one line for each class with one of its values. Uses the names of the model.
 [[nodiscard]] std::vector<std::string> describe_classes(const System& class_model);
 
 }  // namespace robochart::ir

@@ -18,8 +18,8 @@ constexpr std::size_t most_conditions = 64;
 constexpr std::size_t most_classes = 256;
 constexpr std::size_t most_solver_numbers = 8;  // limit on the numbers in one value that the solver reads
 
-/// Collects the kinds of the leaves of a type. Leaves are types without parts, such as numbers, and also sequences,
-/// functions, relations and matrices. The recursion is as deep as the type.
+/// Collects the kinds of the leaves of a type. A leaf is a type without parts (such as numbers), a sequence, a
+/// function, a relation or a matrix. Recursion depth: the depth of the type.
 void collect_leaves(const System& system, TypeId id, std::set<TypeKind>& leaves) {
     const Type& type = system.type(id);
     if (type.kind == TypeKind::sequence) leaves.insert(type.kind);
@@ -36,11 +36,11 @@ public:
     Division(const System& system, const Sampling& sampling, TypeId type, const Uses& uses)
         : system_(system), sampling_(sampling), type_(type), uses_(uses) {}
 
-    /// Returns the classes of all values of the type, or of the values that occur. Returns no value if the conditions
-    /// have other forms. `only_by_events` is true if only events provide the values. `only_copied` is true if no value
-    /// is computed.
+    /// Returns classes of all values of the type, or only of the values that occur. Returns no value if the conditions
+    /// do not have a supported form. `only_by_events`: all values come from events. `only_copied`: no value is
+    /// computed.
     std::optional<ValueClasses> divide(bool all_values, bool only_by_events, bool only_copied);
-    /// True if the division ended because there are too many classes.
+    /// Returns true if the division stopped because it found too many classes.
     [[nodiscard]] bool has_too_many() const { return result_.witnesses.size() > most_classes; }
 
 private:
@@ -62,7 +62,7 @@ private:
     TypeId type_;
     const Uses& uses_;
     bool only_by_events_ = false;
-    std::map<std::pair<Answers, Value>, std::size_t> numbers_;  ///< the value is set if no two values are in one class
+    std::map<std::pair<Answers, Value>, std::size_t> numbers_;  ///< contains the value if no two values share a class
     bool separate_ = false;
     ValueClasses result_;
 };
@@ -78,7 +78,7 @@ std::optional<Division::Answers> Division::answers_for(const Value& value) const
     return result;
 }
 
-/// Returns the values that the model writes. The default value is the first.
+/// Returns the values that the model writes. The first one is the default value.
 std::vector<Value> Division::written_values() const {
     std::vector<Value> result{default_value(system_, sampling_.instantiation(), type_)};
     for (const Written& written : uses_.writes)
@@ -103,7 +103,7 @@ std::optional<std::vector<Value>> Division::candidates() const {
     return values_for_answers(system_, sampling_, type_, uses_.conditions);
 }
 
-/// True for a value that no transition takes.
+/// Returns true for the answers of a value that no transition accepts.
 bool Division::is_refused(const Answers& answers) const {
     if (!only_by_events_ || uses_.entries.empty()) return false;
     for (const Expr* entry : uses_.entries) {
@@ -114,8 +114,8 @@ bool Division::is_refused(const Answers& answers) const {
     return true;
 }
 
-/// Adds a value to its class. A value that no transition takes is never stored, so it may belong to any class. It is
-/// added to the first one.
+/// Adds a value to its class. A value that no transition accepts is never stored, so its class does not matter. The
+/// first class gets it.
 bool Division::add_value(const Value& value, bool written) {
     const auto answers = answers_for(value);
     if (!answers) return false;
@@ -131,12 +131,12 @@ bool Division::add_value(const Value& value, bool written) {
 }
 
 /// Computes the classes. If values are only copied, the classes are the values that the model writes, and one further
-/// value. With only one class, two outputs with different values would have the same name, and a nondeterministic model
-/// could seem deterministic. These classes suffice for the following reason. Suppose that outputs of v and of another
-/// value are possible after one trace. Rename v to the further value, unless the model writes v, and rename all other
-/// values to one value that the model writes. Both outputs are also possible after the renamed trace (Lazić, A semantic
-/// study of data independence, 1999, chapter 5). This includes the arbitrary values of empty registers in RoboSim,
-/// which are renamed like inputs.
+/// value. (With only one class, two outputs with different values would have the same name, and a nondeterministic
+/// model could seem deterministic.) Reason why these classes suffice: suppose that after one trace, outputs of v and
+/// of another value are possible. Rename v to the further value, unless the model writes v, and all other values to
+/// one value that the model writes. After the renamed trace, both outputs are possible, too (Lazić, A semantic study
+/// of data independence, 1999, chapter 5). The arbitrary values of empty registers in RoboSim are renamed like
+/// inputs.
 std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_events, bool only_copied) {
     if (uses_.conditions.size() > most_conditions) return std::nullopt;
     only_by_events_ = only_by_events;
@@ -158,7 +158,7 @@ std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_event
     return std::move(result_);
 }
 
-/// Decides which flow classes keep their values. If a value is kept, the values from which it is computed are kept too.
+/// Decides which flow classes keep their values. If a value is kept, so are all values from which it is computed.
 class Choice {
 public:
     Choice(const System& system, const Sampling& sampling, const Places& places, const std::map<PlaceId, Uses>& uses,
@@ -177,8 +177,8 @@ private:
         return std::ranges::any_of(uses.writes, [](const Written& written) { return !written.closed; });
     }
 
-    /// True if the class model may choose the classes of computed values. It chooses a class when a statement computes
-    /// the value, so this is not possible for initial values.
+    /// Returns true if the class model may choose the classes of computed values. It chooses when a statement computes
+    /// the value, so it cannot choose the class of an initial value.
     [[nodiscard]] bool may_be_chosen(const Uses& uses) const {
         return computed_ == Computed::freely && std::ranges::none_of(uses.writes, [](const Written& written) {
                    return written.initial && !written.closed;
@@ -187,7 +187,7 @@ private:
 
     [[nodiscard]] bool from_outside(PlaceId flow) const { return places_[flow].input || places_[flow].shared; }
 
-    /// Returns a reason to keep the values that does not depend on other flow classes or on the form of conditions.
+    /// Returns a reason to keep the values. Considers neither other flow classes nor the form of conditions.
     [[nodiscard]] std::optional<Keep> reason_to_keep(PlaceId flow, const Uses& uses) const {
         const Place& place = places_[flow];
         if (!is_replaceable(system_, place.type)) return Keep{KeepReason::type, {}};
@@ -213,7 +213,7 @@ private:
             kept_.emplace(flow, reason_without_classes(place.type, uses, division.has_too_many()));
     }
 
-    /// Returns the reason why the conditions give no classes.
+    /// Returns the reason why no classes can be derived from the conditions.
     [[nodiscard]] Keep reason_without_classes(TypeId type, const Uses& uses, bool too_many) const {
         for (const Condition& condition : uses.conditions)
             if (!can_divide(system_, sampling_, condition.machine, type, *condition.body))
@@ -236,8 +236,8 @@ private:
         return {sequences.has_both_extremes() ? KeepReason::extremes : KeepReason::classes, {}};
     }
 
-    /// Returns the flow classes whose values this program cannot compute: they come from outside, or are computed from
-    /// values that come from outside.
+    /// Returns the flow classes whose values this program cannot compute. Their values come from outside, or are
+    /// computed from such values.
     [[nodiscard]] std::set<PlaceId> unknown_values() const {
         std::set<PlaceId> unknown;
         for (const auto& [flow, classes] : chosen_)
@@ -251,7 +251,7 @@ private:
         return unknown;
     }
 
-    /// True if this program can compute the values from carriers.
+    /// Returns true if this program can compute the values from carriers.
     [[nodiscard]] bool is_known(const Uses& uses, PlaceId flow, const std::set<PlaceId>& unknown) const {
         return computed_ == Computed::exactly && is_computed(uses) && !unknown.contains(flow);
     }
@@ -263,8 +263,8 @@ private:
         return result;
     }
 
-    /// Lets one more flow class keep its values: a class whose values this program can compute, or a class from which a
-    /// kept value is computed. Returns false if there is none.
+    /// Makes one more flow class keep its values. It is a class whose values this program can compute, or one from
+    /// which a kept value is computed. Returns false if there is none.
     bool give_up_one() {
         const std::set<PlaceId> unknown = unknown_values();
         for (const auto& [flow, uses] : uses_) {
@@ -280,7 +280,7 @@ private:
         }
         return false;
     }
-    /// Records that the flow class keeps its values. Returns false if it already keeps them.
+    /// Records that the flow class keeps its values. Returns false if this was already known.
     bool keep_values(PlaceId flow, const Keep& keep) {
         if (chosen_.erase(flow) == 0) return false;
         kept_.emplace(flow, keep);

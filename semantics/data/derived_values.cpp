@@ -22,8 +22,8 @@ bool reads_state(const Expr& root) {
     return reads || mentions_clock(root);
 }
 
-/// True if the expression only copies values, selects parts of values, and composes values. The recursion is as deep as
-/// the expression.
+/// Returns true if the expression only copies values, selects their parts, and composes values. Recursion depth: the
+/// depth of the expression.
 bool is_copy(const Expr& expr) {
     constexpr std::array kinds{ExprKind::variable, ExprKind::trigger_value, ExprKind::enum_literal,
                                ExprKind::member,   ExprKind::record,        ExprKind::tuple,
@@ -42,7 +42,7 @@ public:
         }
     }
 
-    /// Finds the least sets that are closed under the rules of `follow`.
+    /// Finds the least sets that the rules of `follow` do not extend further.
     void close() {
         for (PlaceId place = 0; place < places_.size(); ++place) {
             const PlaceId flow = places_.class_of(place);
@@ -65,7 +65,7 @@ private:
                                    [&](PlaceId place) { return flows.contains(places_.class_of(place)); });
     }
 
-    /// Adds the flow classes into which values of known flow classes are written. Returns false if there are none.
+    /// Adds the flow classes to which values of known flow classes are written. Returns false if none was added.
     bool follow() {
         bool more = false;
         for (const auto& [flow, uses] : uses_)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds values that a model computes from values that come from outside, such as q after `q = x / 2` for an input x.
+// Finds values that a model computes from values from outside. Example: q after `q = x / 2` for an input x.
 //
-// The carrier of a type extends beyond each literal with which values of this type are compared. So every such
-// comparison of an input is true for some inputs and false for others. Comparisons of computed or converted values may
-// have only one answer. For x in 0..8, `x / 2` is never greater than 7. For x : nat in 0..2 and q : int, q is never
-// greater than 2 after `q = x`, even if the model compares q with 5.
+// A carrier extends beyond each literal with which values of its type are compared. So every comparison of an input
+// with a literal is true for some inputs and false for others. A comparison of a computed or converted value may have
+// only one answer. Examples: for x in 0..8, `x / 2` is never greater than 7; for x : nat in 0..2 and q : int, q is
+// never greater than 2 after `q = x`, even if the model compares q with 5.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,14 @@
 
 namespace robochart::ir {
 
-/// The source of the values of a place.
+/// Where the values of a place come from.
 enum class ValueSource : unsigned char {
-    inside,   ///< the machines write the values, and compute them only from values from inside
-    outside,  ///< some are copies of inputs, of shared variables, or of parameters of operations
+    inside,   ///< machines write all values, and compute them only from values from inside
+    outside,  ///< some are copies of inputs, shared variables, or parameters of operations
     derived,  ///< some are computed or converted from values from outside or clocks, or are copies of these results
 };
 
-/// The sources of the values of all places of a system.
+/// For all places of a system: where their values come from.
 class DerivedValues {
 public:
     DerivedValues(const System& system, const Instantiation& instantiation);

@@ -20,7 +20,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Assigns a number to each expression. Equal expressions get the same number.
+/// Assigns numbers to expressions. Two expressions have the same number if and only if they are equal.
 class ExpressionKeys {
 public:
     /// Returns a text that is different for different expressions. The recursion is as deep as the expression.
@@ -45,7 +45,7 @@ private:
     std::vector<diagnostics::ForeignText> strings_;
 };
 
-/// A comparison in the form `a < b` or `a == b`, possibly negated.
+/// A comparison `a < b` or `a == b`, or the negation of one.
 struct Comparison {
     ExprPtr expr;
     bool negated = false;
@@ -58,8 +58,8 @@ ExprPtr with_operands(const Expr& expr, ExprKind kind, ExprPtr left, ExprPtr rig
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// Brings a comparison into normal form, so that a condition and its negation share one answer. For numbers, this is
-/// correct because their order is total.
+/// Converts a comparison to a normal form, so that a condition and its negation share one answer. This is correct for
+/// numbers because their order is total.
 Comparison in_normal_form(ExpressionKeys& keys, const ExprPtr& expr) {
     if (!is_comparison(expr->kind)) return {expr, false};
     const ExprPtr &a = expr->args.at(0), &b = expr->args.at(1);
@@ -79,7 +79,7 @@ struct FreeAnswer {
     std::set<VariableId> reads;
 };
 
-/// Frees the conditions of one machine.
+/// Replaces conditions of one machine by variables with free answers.
 class MachineConditions {
 public:
     MachineConditions(const System& system, const Sampling& sampling, MachineId id,
@@ -139,8 +139,8 @@ private:
     const std::set<std::string>& written_by_operations_;
     Machine machine_;
     StatementMaker maker_{machine_};
-    std::set<VariableId> received_;  ///< stored by triggers
-    /// The current action is an exit or during action, which may run before the transition's own action.
+    std::set<VariableId> received_;  ///< variables in which triggers store values
+    /// The action is an exit or during action. It may run between an event and the action of its transition.
     bool may_follow_event_ = false;
     std::vector<FreeAnswer> answers_;
     ExpressionKeys keys_;
@@ -159,7 +159,7 @@ bool MachineConditions::reads_data(const Expr& root) const {
     return result;
 }
 
-/// True if classes of the values of one place may answer the condition.
+/// Returns true if the classes of one place's values may determine the answer of the condition.
 bool MachineConditions::is_answered(const ExprPtr& root) const {
     std::set<std::pair<ExprKind, VariableId>> places;
     bool clock = false;
@@ -173,8 +173,8 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
     return places.size() == 1 && !clock && can_divide(system_, sampling_, id_, type, *inline_calls(system_, root));
 }
 
-/// True if the condition can be replaced by a variable. A received value is stored before the transition's action, and
-/// so before the choice of the answer. Exit and during actions may run in between.
+/// Returns true if a variable can replace the condition. A received value is stored before the action of the
+/// transition, and so before its answer is chosen. But exit and during actions may run before it is stored.
 bool MachineConditions::can_be_freed(const Expr& root) const {
     bool result = true;
     visit_operands(root, [&](const Expr& expr) {
@@ -201,8 +201,8 @@ bool MachineConditions::add_preconditions(const ExprPtr& expr, std::vector<ExprP
     return !expr || !may_fail(expr) || add_preconditions(*inline_calls(system_, expr), out);
 }
 
-/// Adds conditions under which the expression is defined, inner conditions first. Returns false if these conditions may
-/// not suffice. The recursion is as deep as the expression.
+/// Adds the conditions that make the expression defined, inner ones first. Returns false if they may not be enough.
+/// Recursion depth: the depth of the expression.
 bool MachineConditions::add_preconditions(const Expr& expr, std::vector<ExprPtr>& out) const {
     for (const ExprPtr& part : expr.args)
         if (!add_preconditions(*part, out)) return false;
@@ -253,8 +253,8 @@ ExprPtr MachineConditions::all_of(const std::vector<ExprPtr>& conditions) {
     return result;
 }
 
-/// Returns the guard in which variables replace the freed conditions. If a guard is undefined, neither the guard nor
-/// its negation is true.
+/// Returns the guard with variables in place of the freed conditions. If a guard is undefined, then neither the guard
+/// nor its negation is true.
 ExprPtr MachineConditions::guard(const ExprPtr& expr) {
     if (!expr || !may_fail(expr)) return condition(expr);
     if (!unanswered_.contains(expr.get()) && is_answered(expr)) return expr;
@@ -300,8 +300,8 @@ ExprPtr MachineConditions::answer_of(const ExprPtr& expr) {
     return maker_.read(answers_[found->second].variable, expr->span);
 }
 
-/// Rewrites a value that is stored or sent, and the conditions inside it. Names that an expression binds are unknown
-/// outside of the expression.
+/// Rewrites a value that is stored or sent, including the conditions inside it. Names that an expression binds do not
+/// exist outside it.
 ExprPtr MachineConditions::value(const ExprPtr& expr) {
     if (!expr || is_replaceable(system_, expr->type)) return expr;
     if (system_.type(expr->type).kind == TypeKind::boolean) return condition(expr);
@@ -336,7 +336,7 @@ std::vector<ExprPtr> MachineConditions::literals(TypeId id, const Expr& origin) 
     return result;
 }
 
-/// True if an assignment changes an element of a sequence or another collection, which may not exist.
+/// Returns true if an assignment changes an element of a sequence or another collection. That element may not exist.
 bool MachineConditions::selects_element(const Stmt& stmt) const {
     if (stmt.path.empty()) return false;
     const TypeKind kind = system_.type(machine_.variables.at(stmt.variable.index).type).kind;
@@ -352,7 +352,7 @@ bool MachineConditions::may_block(const Stmt& stmt) const {
            std::ranges::any_of(stmt.args, [&](const ExprPtr& argument) { return may_fail(argument); });
 }
 
-/// Replaces an assignment of a literal that is computed from data. Instead, the machine chooses the literal.
+/// Replaces an assignment of a literal that is computed from data: the machine chooses the literal instead.
 StmtPtr MachineConditions::with_literals(const Stmt& stmt) {
     if (stmt.kind != StmtKind::assign || !stmt.path.empty() || !reads_data(*stmt.value)) return nullptr;
     const TypeId type = machine_.variables.at(stmt.variable.index).type;
@@ -376,7 +376,7 @@ StmtPtr MachineConditions::with_conditions(const StmtPtr& stmt) {
 }
 
 /// Returns a statement that blocks the thread if an expression of `stmt` is undefined, and otherwise performs `done`.
-/// If the conditions for this are not known, the thread chooses whether to block.
+/// If it is not known when the expressions are defined, the thread chooses whether to block.
 StmtPtr MachineConditions::guarded(const Stmt& stmt, StmtPtr done) {
     std::vector<ExprPtr> conditions;
     bool known = !selects_element(stmt);
@@ -388,7 +388,7 @@ StmtPtr MachineConditions::guarded(const Stmt& stmt, StmtPtr done) {
     return maker_.if_then_else(all_of(conditions), std::move(done), maker_.choice_of({}, stmt.origin), stmt.origin);
 }
 
-/// Returns the statement that sets the answer after `variable` has got this value, which is null if it is unknown.
+/// Returns the statement that sets the answer when `variable` has received `value` (null if the value is unknown).
 StmtPtr MachineConditions::answer_after(const FreeAnswer& answer, VariableId variable, const ExprPtr& value,
                                         const Origin& origin) {
     const std::vector<ExprPtr> truth = literals(answer.condition->type, *answer.condition);
@@ -407,8 +407,8 @@ void MachineConditions::add_answers_after(VariableId variable, const ExprPtr& va
         if (answer.reads.contains(variable)) out.push_back(answer_after(answer, variable, value, origin));
 }
 
-/// Adds the choices of answers immediately after a write. So each step that the model can perform after the write is
-/// possible after the choices.
+/// Adds the choices of answers directly after a write. So after the choices, every step is possible that the model can
+/// perform after the write.
 StmtPtr MachineConditions::with_answers(const StmtPtr& stmt) {
     if (!stmt) return stmt;
     Stmt result = *stmt;
@@ -421,7 +421,7 @@ StmtPtr MachineConditions::with_answers(const StmtPtr& stmt) {
     return maker_.sequence_of(std::move(parts), stmt->origin);
 }
 
-/// Adds the choices of answers to a transition: when the machine starts, and when a trigger has stored a value.
+/// Adds choices of answers to a transition: at the start of the machine, and after a trigger has stored a value.
 void MachineConditions::add_answers(Transition& transition) {
     std::vector<StmtPtr> parts;
     if (transition.source == machine_.initial) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles conditions whose answers the classes of values do not determine. Private to this component.
+// Handles conditions whose answers do not follow from classes of values. Private to this component.
 //
-// Such a condition becomes a Boolean variable. Each write of a variable that the condition reads is followed by an
-// internal choice of the answer. Statement: the original system refines the resulting system in traces, failures and
-// divergences, if values of events are not observed. Reason: each answer of the condition is one of the two
-// alternatives, so the system behaves as one resolution of the choices, and all operators except prioritisation are
-// monotone with respect to refinement. For prioritisation: the choices are internal steps, which happen before time
-// passes. A state in which they are resolved has the same branches as the corresponding state of the original system.
-// This is the internal form of the may branches of Larsen and Thomsen, A modal process logic, 1988, and of predicate
-// abstraction (Graf and Saidi, CAV 1997). See docs/data.md, "Computed data".
+// Such a condition becomes a Boolean variable. After each write of a variable that the condition reads, an internal
+// choice sets the answer. Statement: the original system refines the resulting system in traces, failures and
+// divergences, if values of events are not observed. Reason: the answer of the condition is always one of the two
+// alternatives. So the system behaves as if the choices were resolved in one particular way, and all operators except
+// prioritisation are monotone with respect to refinement. For prioritisation: the choices are internal steps, which
+// happen before time passes. When they are resolved, the state has the same branches as the corresponding state of the
+// original system. Sources: may branches (Larsen and Thomsen, A modal process logic, 1988) and predicate abstraction
+// (Graf and Saidi, CAV 1997). See docs/data.md, "Computed data".
 #pragma once
 
 #include <cstddef>
@@ -25,10 +25,10 @@ struct FreedSystem {
     std::size_t conditions = 0;  ///< the number of these variables
 };
 
-/// Replaces conditions by variables with free answers: the conditions that read values of several places or may be
-/// undefined, and those in `unanswered`, which must be expressions of `system`. A condition stays if it reads a clock,
-/// a received value before it is stored, or a variable that other components may write. In the resulting system, a
-/// statement may block if one of its expressions may be undefined.
+/// Replaces conditions by variables with free answers. Replaces those that read several places or may be undefined, and
+/// those in `unanswered`, which must be expressions of `system`. Does not replace a condition that reads a clock, a
+/// received value before it is stored, or a variable that other components may write. A statement of the result may
+/// block if one of its expressions may be undefined.
 [[nodiscard]] FreedSystem free_conditions(const System& system, const Sampling& sampling,
                                           const std::set<const Expr*>& unanswered);
 

@@ -12,7 +12,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Replaces the value that a condition reads by an expression. The recursion is as deep as the condition.
+/// Replaces the value that a condition reads by an expression. Recursion depth: the depth of the condition.
 ExprPtr substituted(const ExprPtr& condition, const ExprPtr& value) {
     if (condition->kind == ExprKind::variable || condition->kind == ExprKind::trigger_value) return value;
     Expr result = *condition;
@@ -20,7 +20,7 @@ ExprPtr substituted(const ExprPtr& condition, const ExprPtr& value) {
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// The size of a computed sequence: the size of the variable from which it is computed, if any, plus a number.
+/// The size of a computed sequence: a number, plus the size of the variable from which it is computed, if any.
 struct Size {
     bool of_variable = false;
     std::int64_t more = 0;
@@ -63,7 +63,7 @@ private:
     }
     [[nodiscard]] std::optional<Answers> answers(const Conditions& conditions, const Value& value) const;
     [[nodiscard]] std::vector<std::optional<Answers>> answers_of_classes(const DividedFlow& flow) const;
-    /// Adds the pair of classes that have these answers. Returns false if there is no such class.
+    /// Adds a pair of classes. Returns false if no class has these answers.
     [[nodiscard]] bool add(const std::optional<Answers>& from, const std::optional<Answers>& to, Images& images) const;
 
     const System& system_;
@@ -120,7 +120,7 @@ std::optional<Images> ImageSearch::of_number(const ExprPtr& expr) const {
     return images;
 }
 
-/// Returns the class for each size, up to a size beyond which no condition distinguishes sizes.
+/// Returns the class for each size. Stops at a size beyond which no condition distinguishes sizes.
 std::optional<Images> ImageSearch::of_sequence(const Expr& expr) const {
     const auto size = size_of(expr);
     const ClosedValue closed = [this](const Expr& part) { return sampling_.closed_value(machine_, part); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines which classes a computed value can have, for each class of the value from which it is computed. Private to
-// this component. Example: for `n = n + 1` and the condition n < 5, a value that is at least 5 stays at least 5.
+// Determines, for each class of a value, the classes of the values computed from it. Private to this component.
+// Example: for `n = n + 1` and the condition n < 5, a value that is at least 5 stays at least 5.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,12 @@ struct DividedFlow {
     const ValueClasses* classes = nullptr;
 };
 
-/// Returns, for each class of `source`, the classes of `target` to which the value of the expression can belong, if the
-/// only variable that it reads holds a value of the class. Returns no value if this is not known. The conditions of
-/// both flow classes and the expression must belong to one machine, and the conditions on the computed value must
-/// divide the values of the source. Method: the conditions of the source divide the values of the source. The
-/// conditions of the target, with the expression in the place of the value, divide them further. Each part of the
-/// common division gives one pair of classes.
+/// Returns, for each class of `source`, to which classes of `target` the value of the expression can belong. The only
+/// variable that the expression reads holds a value of the source class. Returns no value if this is not known. The
+/// conditions of both flow classes and the expression must belong to one machine, and the conditions on the computed
+/// value must divide the values of the source. Method: divide the values of the source by its own conditions, and
+/// further by the conditions of the target, in which the expression replaces the value. Each part of this division
+/// gives one pair of classes.
 [[nodiscard]] std::optional<std::vector<std::set<std::size_t>>> images_of(const System& system,
                                                                           const Sampling& sampling, MachineId machine,
                                                                           const DividedFlow& source,

@@ -33,7 +33,7 @@ bool is_operator(ExprKind kind) {
            kind == ExprKind::if_then_else || kind == ExprKind::cast;
 }
 
-/// True if the evaluation of the argument cannot fail, so that it does not matter whether the body evaluates it.
+/// Returns true if the argument always has a value. Then it does not matter whether the body evaluates it.
 bool is_total(const Expr& argument) {
     bool result = true;
     visit_operands(argument, [&](const Expr& expr) {
@@ -46,7 +46,7 @@ bool is_total(const Expr& argument) {
     return result;
 }
 
-/// Replaces calls by the bodies of functions, and parameters in these bodies by the arguments.
+/// Replaces calls by the bodies of functions. In a body, the arguments replace the parameters.
 class Inliner {
 public:
     explicit Inliner(const System& system) : system_(system) {}
@@ -92,7 +92,7 @@ private:
         return result_expression(function);
     }
 
-    /// Returns the body with these arguments, or null if it contains an expression that cannot be replaced.
+    /// Returns the body with these arguments. Returns null if some expression in it cannot be rewritten.
     [[nodiscard]] ExprPtr substitute(const Function& function, const Expr& body,
                                      const std::vector<ExprPtr>& arguments) {
         if (++operands_ > most_operands) return nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes data that keep the carriers of the finite instantiation, and the reasons (docs/data.md, "Data that keep
-// their carriers").
+// Describes which data keep the carriers of the finite instantiation, and why (docs/data.md, "Data that keep their
+// carriers").
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace robochart::ir {
 
-/// The reason why values keep their carriers. Each reason is reported at the place of an expression (Keep::span),
-/// except those marked "no place".
+/// Why values keep their carriers. A reason is reported at an expression (Keep::span), unless its comment says "no
+/// place".
 enum class KeepReason {
     type,           ///< classes cannot replace values of this type: functions, relations, matrices; no place
-    other_place,    ///< they are shared with a place of another type, or a controller or platform initialises them; no
-                    ///< place
+    other_place,    ///< the values also flow to a place of another type, or are initialised by a controller or
+                    ///< platform; no place
     part,           ///< an assignment changes a part of them
     selector,       ///< they select the part of a variable that an assignment changes
     other_data,     ///< a condition also reads other data
@@ -27,8 +27,8 @@ enum class KeepReason {
     form,           ///< a condition is neither linear nor on windows near the start of a sequence
     conditions,     ///< there are too many conditions; no place
     classes,        ///< there are too many classes; no place
-    numbers,        ///< the conditions read too many numbers of one value; no place
-    extremes,       ///< some conditions read least, and others greatest, numbers of windows; no place
+    numbers,        ///< the conditions read too many of the numbers in one value; no place
+    extremes,       ///< some conditions read the least number of a window, and others the greatest; no place
     points,         ///< for some combination of answers, no decimal numbers were found; no place
     computed,       ///< they are computed, and a condition reads them
     from_carriers,  ///< they are computed from data with carriers
@@ -45,7 +45,7 @@ struct Keep {
     diagnostics::Span span;  ///< unknown if the reason has no place
 };
 
-/// A flow class that keeps its carrier.
+/// A flow class with its own carrier, and the reason.
 struct KeptData {
     std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
     Keep keep;

@@ -29,8 +29,8 @@ Wide determinant(const std::vector<std::vector<Wide>>& m) {
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// Calls the function for every choice of `count` numbers below `size`, in ascending order. If `repeat` is true, a
-/// number may be repeated.
+/// Calls the function for each choice of `count` numbers below `size`, in ascending order. With `repeat`, the same
+/// number may occur several times in a choice.
 template <class Visit>
 void visit_choices(std::size_t size, std::size_t count, bool repeat, const Visit& visit) {
     std::vector<std::size_t> choice;
@@ -86,7 +86,7 @@ bool LinearConditions::add_comparison(const Expr& left, const Expr& right) {
     return forms_.size() <= most_forms;
 }
 
-/// Adds a test of membership in a set: a list of numbers or, for a whole number, all whole numbers between two bounds.
+/// Adds a test of membership in a list of numbers, or, for a whole number, in the range between two bounds.
 bool LinearConditions::add_membership(const Expr& condition) {
     const Expr& number = *condition.args.at(0);
     const Expr& set = *condition.args.at(1);
@@ -139,7 +139,7 @@ std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> LinearC
     return result;
 }
 
-/// Returns the signs of the forms. Coordinates of the types nat and int are whole numbers, not units.
+/// Returns the signs of the forms at a point. For nat and int, coordinates are whole numbers and not units.
 std::vector<int> LinearConditions::signs_at(const Point& point) const {
     Point units = point;
     for (std::size_t i = 0; i < units.size(); ++i)
@@ -156,8 +156,8 @@ LinearReader::Forms LinearConditions::read_choice(const Expr& expr) {
     return result;
 }
 
-/// Returns the forms that the remainder of a form in the number x has for 0 <= x < period. A remainder starts again at
-/// 0 where the form is a multiple of the period.
+/// Returns the forms of the remainder of a form in one number x, for 0 <= x < period. The remainder starts again at 0
+/// wherever the form is a multiple of the period.
 LinearReader::Forms LinearConditions::remainders(const LinearForm& dividend) {
     if (dividend.coefficients.size() > 1) return std::nullopt;
     std::int64_t coefficient = 0;
@@ -211,7 +211,7 @@ std::vector<int> LinearConditions::signs(const Point& point) const {
     return result;
 }
 
-/// Returns the intersections of as many hyperplanes as there are components.
+/// Returns the points at which hyperplanes intersect, taking as many of them as there are components.
 std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<LinearForm>& forms) const {
     const std::size_t n = components_.size();
     if (too_many_choices(forms.size(), n)) return std::nullopt;
@@ -239,7 +239,7 @@ std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<L
     return std::vector<Point>(found.begin(), found.end());
 }
 
-/// Returns the hyperplanes of the conditions, and those of a box around all their intersections.
+/// Returns the hyperplanes of the conditions. Adds a box that contains all their intersections.
 std::optional<std::vector<LinearForm>> LinearConditions::with_box() const {
     std::vector<LinearForm> forms;
     for (const LinearForm& form : forms_)
@@ -286,9 +286,9 @@ std::optional<std::vector<Point>> LinearConditions::real_points() const {
     return result;
 }
 
-/// Finds points if the conditions read one whole number. Tries the numbers near every threshold, and returns up to
-/// `count` numbers for each combination of signs. If a region has fewer than `beside` numbers, all of them are near a
-/// threshold.
+/// Finds points for conditions that read one whole number. Tries the numbers near each threshold. Returns up to `count`
+/// numbers for each combination of signs. If a region has fewer than `beside` numbers, all of them are near a
+/// threshold, so none is missed.
 std::optional<std::vector<Point>> LinearConditions::whole_points(std::int64_t beside, std::size_t count) const {
     if (components_.size() != 1) return std::nullopt;
     std::set<std::int64_t> numbers;
@@ -311,7 +311,7 @@ std::optional<std::vector<Point>> LinearConditions::whole_points(std::int64_t be
     return result;
 }
 
-/// True if the equations of a region have one solution.
+/// Returns true if the equations of a region have exactly one solution.
 bool LinearConditions::is_only_point(const std::vector<int>& signs) const {
     const std::size_t n = components_.size();
     std::vector<std::vector<Wide>> equations;
@@ -330,8 +330,8 @@ bool LinearConditions::is_only_point(const std::vector<int>& signs) const {
     return independent;
 }
 
-/// Finds further points in the region of `first`. The midpoint between a point of a region and a corner of its closure
-/// is in the region, because the region is convex. Returns no value if fewer than `count` of these points are decimal
+/// Finds further points in the region of `first`. A region is convex, so it contains the midpoint between one of its
+/// points and a corner of its closure. Returns no value if fewer than `count` of these midpoints are decimal
 /// numbers.
 std::optional<std::vector<Point>> LinearConditions::fill_region(Point first, const std::vector<Point>& corners,
                                                                 std::size_t count) const {
@@ -393,7 +393,7 @@ std::optional<std::vector<Point>> LinearConditions::points() const {
     within.insert_form({{{0, 1}}, -*period_});
     auto result = within.all_points();
     if (!result) return result;
-    std::vector<Point> small;  // reports show the first point of a region
+    std::vector<Point> small;  // reports show the first point of a region, so small numbers come first
     for (std::int64_t number = 0; number < 10; ++number) small.push_back({number * (scale_ / unit)});
     result->insert(result->begin(), small.begin(), small.end());
     std::erase_if(*result, [&](const Point& point) { return point[0] < 0 || point[0] >= *period_ / unit; });

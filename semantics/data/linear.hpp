@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds values for every combination of truth values that linear conditions can have. Private to this component.
+// Finds a value for each combination of truth values that linear conditions can have. Private to this component.
 //
-// Conditions such as `x < 5` and `y - x > 1` divide the space of values into regions: the sets of points at which each
-// linear form has the same sign. The candidates are weighted means of n + 1 vertices, for all choices of vertices.
-// Statement: every nonempty region contains a candidate. Reason: the regions within a box that contains all
-// intersections are polytopes. The relative interior of a polytope of dimension d contains every weighted mean, with
-// positive weights, of d + 1 affinely independent vertices. Every vertex is an intersection of n hyperplanes of the
-// conditions and of the box (Ziegler, Lectures on Polytopes, 1995, chapter 2).
+// Conditions such as `x < 5` and `y - x > 1` divide the space of values into regions. All points of a region give the
+// same sign to each linear form. The candidates are weighted means of n + 1 vertices, for all choices of vertices.
+// Statement: every nonempty region contains a candidate. Reason: in a box that contains all intersections, the regions
+// are polytopes. A mean of d + 1 affinely independent vertices of a polytope of dimension d, with positive weights, is
+// in its relative interior. Each vertex is an intersection of n hyperplanes of the conditions and of the box (Ziegler,
+// Lectures on Polytopes, 1995, chapter 2).
 //
 // `if c then a else b` has one of two forms, and the condition c divides the space, too. `a % c` with a constant c > 0
 // is equal to a - q*c for some whole number q. Suppose that the conditions read only one number, and read it only
@@ -36,14 +36,14 @@ public:
     LinearConditions(const System& system, const Instantiation& instantiation)
         : system_(system), instantiation_(instantiation), scale_(instantiation.scale) {}
 
-    /// Adds a condition that reads only one place. Returns false if the condition is not a Boolean combination of
-    /// comparisons. The operands must be linear terms, choices between them, or their remainders. `closed` evaluates
+    /// Adds a condition that reads only one place. Returns false unless it is a Boolean combination of comparisons
+    /// whose operands are linear terms, choices between linear terms, or remainders of these. `closed` evaluates
     /// expressions without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
     /// Adds a form: the sum of coefficients times numbers, plus the constant in units. Returns false if the constant or
     /// a coefficient is too large.
     [[nodiscard]] bool add_form(const std::map<NumberPart, std::int64_t>& coefficients, std::int64_t constant);
-    /// Returns the forms of all comparisons: for each number its coefficient if that is not 0, and the constant in
+    /// Returns the form of each comparison: the coefficients that are not 0, by number, and the constant in
     /// units.
     [[nodiscard]] std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> forms() const;
     /// Returns the sign of each form at a point.
@@ -51,12 +51,12 @@ public:
     [[nodiscard]] bool has_remainders() const { return period_.has_value(); }
     /// Returns the numbers that the conditions read.
     [[nodiscard]] const std::vector<NumberPart>& components() const { return components_; }
-    /// Returns at least one point for every combination of signs that the linear forms can have: the numbers of the
-    /// components in units, or whole numbers for nat and int. Returns no value if there are too many points, or if a
-    /// coordinate of a point is not a decimal number.
+    /// Returns at least one point for each combination of signs that the linear forms can have. A point contains the
+    /// numbers of the components: units, or whole numbers for nat and int. Returns no value if there are too many
+    /// points, or if a coordinate is not a decimal number.
     [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points() const;
-    /// Returns `count` points for every combination of signs that the linear forms can have, or all points if there are
-    /// fewer. Returns no value if they were not found, or if there are remainders.
+    /// Returns `count` points for each combination of signs that the linear forms can have, or all points if there are
+    /// fewer. Returns no value if the search finds too few, or if the conditions contain remainders.
     [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points_in_regions(std::size_t count) const;
 
 private:
@@ -90,8 +90,8 @@ private:
     std::vector<NumberPart> components_;
     std::vector<LinearForm> forms_;
     std::optional<std::int64_t> period_;  ///< the divisor of all remainders, in units
-    int remainders_open_ = 0;             ///< the number of nested remainders around the part that is being read
-    bool is_periodic_ = true;             ///< all numbers read so far are inside remainders
+    int remainders_open_ = 0;             ///< how many remainders contain the part that is being read
+    bool is_periodic_ = true;             ///< every number read so far is inside a remainder
 };
 
 }  // namespace robochart::ir

@@ -15,36 +15,36 @@
 
 namespace robochart::ir {
 
-/// Returns the value of an expression without variables, in units of the sampling scale, or no value if it is
+/// Returns the value of an expression without variables, in units of the sampling scale. Returns no value if it is
 /// undefined.
 using ClosedValue = std::function<std::optional<Value>(const Expr&)>;
 
-/// The sum of coefficient times component, plus the constant. Numbers are in units of the sampling scale. Constants
-/// stay below 2^56 and coefficients below 2^20, so that sums of three products, and determinants of three rows (sums of
-/// six products), fit into 128 bits.
+/// A sum of coefficients times components, plus a constant. Numbers are in units of the sampling scale. Constants are
+/// below 2^56 and coefficients below 2^20. So sums of three products, and determinants of three rows (sums of six
+/// products), fit into 128 bits.
 struct LinearForm {
     std::map<std::size_t, std::int64_t> coefficients;  ///< by the index of the component; no coefficient is 0
     std::int64_t constant = 0;
     friend auto operator<=>(const LinearForm&, const LinearForm&) = default;
 };
 
-/// The limits of constants, and of coefficients, in absolute value.
+/// Limits for the absolute values of constants and coefficients.
 inline constexpr std::int64_t greatest_coordinate = std::int64_t{1} << 56U;
 inline constexpr std::int64_t greatest_coefficient = std::int64_t{1} << 20U;
 
 /// Returns a + factor * b, or no value if it exceeds the limits.
 [[nodiscard]] std::optional<LinearForm> add_multiple(const LinearForm& a, const LinearForm& b, std::int64_t factor);
 
-/// Reads sums, differences and multiples. Another function reads their parts.
+/// Reads sums, differences and multiples as linear forms. Calls another function for the operands.
 class LinearReader {
 public:
-    /// A set of forms. For all values of the components, the value of the expression is equal to the value of one of
-    /// these forms. There is no value if the expression has no such set.
+    /// A set of forms. For any values of the components, one of the forms equals the expression. There is no value if
+    /// the expression has no such set.
     using Forms = std::optional<std::set<LinearForm>>;
     using ReadPart = std::function<Forms(const Expr&)>;
 
-    /// `closed` evaluates expressions without variables. `read_part` reads all expressions that are not sums,
-    /// differences or multiples.
+    /// `closed` evaluates expressions without variables. `read_part` reads everything except sums, differences and
+    /// multiples.
     LinearReader(const System& system, std::int64_t scale, ClosedValue closed, ReadPart read_part)
         : system_(system), scale_(scale), closed_(std::move(closed)), read_part_(std::move(read_part)) {}
 

@@ -25,8 +25,8 @@ bool is_shared(const Machine& machine, const Variable& variable) {
            (machine.kind == MachineKind::operation && variable.scope == VariableScope::parameter);
 }
 
-/// Returns the name in the model. The names of registers of RoboSim begin with `$`, and the names of their values end
-/// with `?`.
+/// Returns the name that the model uses. In the IR, names of registers of RoboSim begin with `$`, and names of their
+/// values end with `?`.
 std::string name_in_model(const Variable& variable) {
     if (variable.scope != VariableScope::reg) return variable.name;
     return variable.name.substr(1, variable.name.size() - (variable.name.ends_with('?') ? 2 : 1));
@@ -103,9 +103,9 @@ void Places::unite(PlaceId a, PlaceId b) {
 }
 
 /// Unites the flow classes of variables with the same name if they are shared, or if an operation requires a variable
-/// with this name. Also unites parameters of operations with the same name, and events with the same name in operations
-/// and their callers. This may unite places between which no value is copied. It is sound, because a larger flow class
-/// only has more conditions.
+/// with this name. Does the same for parameters of operations, and for events of operations and of their callers.
+/// This may unite places between which no value is copied. That is sound: a larger flow class only has more
+/// conditions.
 void Places::unite_shared_names(const System& system) {
     std::map<std::pair<std::string, std::size_t>, PlaceId> first;
     const auto unite_name = [&](const std::string& key, std::size_t position, PlaceId place) {
@@ -170,7 +170,7 @@ void Places::unite_connections(const System& system) {
         const auto found = std::ranges::find(events, name, &Event::name);
         return found == events.end() ? no_id : numbers.events[static_cast<std::size_t>(found - events.begin())];
     };
-    // An event of a RoboSim machine may be an input, an output, or both, which are then one flow class.
+    // In RoboSim, an event can be both an input and an output. Both then belong to one flow class.
     const auto place_in_machine = [&](std::uint32_t machine, const std::string& name) {
         const PlaceId output = place_of(system.machines[machine].events, machines_[machine], name);
         const auto& inputs = system.machines[machine].inputs;

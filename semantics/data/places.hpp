@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects the places that hold data in a model, and groups them into flow classes. Private to this component. Two
-// places are in one flow class if the model may copy a value from one to the other by an assignment, a communication, a
-// call, a connection, a register or a shared variable (docs/data.md, "Flow classes").
+// Collects the places in a model that hold data, and groups them into flow classes. Private to this component. Two
+// places belong to one flow class if the model may copy a value from one to the other: by an assignment, a
+// communication, a call, a connection, a register or a shared variable (docs/data.md, "Flow classes").
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,12 @@ using PlaceId = std::uint32_t;
 /// A place that holds values.
 struct Place {
     TypeId type;
-    std::string name;     ///< its name in the model
-    bool input = false;   ///< the value of an event that a component receives
-    bool shared = false;  ///< a variable that components share, a parameter of an operation with a body, or a register
-    bool opaque = false;  ///< its values are copied to a place of another type, or initialised outside machines
-    bool internal = false;          ///< a connection between two components carries the values
-    bool variable = false;          ///< the place is a variable, not an event or a parameter of a called operation
+    std::string name;               ///< its name in the model
+    bool input = false;             ///< the value of an event that a component receives
+    bool shared = false;            ///< a shared variable, a parameter of an operation with a body, or a register
+    bool opaque = false;            ///< values are copied to a place of another type, or initialised outside machines
+    bool internal = false;          ///< one component sends the values to another
+    bool variable = false;          ///< false for events and for parameters of called operations
     std::uint32_t machine = no_id;  ///< the machine that has the place; no_id: a controller or a platform
 };
 
@@ -49,8 +49,8 @@ public:
     [[nodiscard]] PlaceId trigger(MachineId machine, const Transition& transition) const {
         return transition.trigger ? event(machine, transition.trigger->event) : no_id;
     }
-    /// Returns the place of the variable that the expression is, or `trigger` if the expression is the value received
-    /// by the trigger. Returns no_id for all other expressions.
+    /// Returns the place of the variable if the expression is a variable, and `trigger` if it is the value that the
+    /// trigger has received. Returns no_id for all other expressions.
     [[nodiscard]] PlaceId read_by(MachineId machine, PlaceId trigger, const Expr& expr) const {
         if (expr.kind == ExprKind::variable) return variable(machine, expr.variable);
         return expr.kind == ExprKind::trigger_value ? trigger : no_id;
@@ -62,7 +62,7 @@ public:
     /// Returns the least place of the flow class.
     [[nodiscard]] PlaceId class_of(PlaceId place) const;
 
-    /// Calls the function with the type of every place, in the order of their numbers.
+    /// Calls the function for the type of each place, in the order of the places.
     static void visit_types(System& system, const std::function<void(TypeId&)>& visit);
 
 private:

@@ -40,8 +40,8 @@ private:
     std::vector<std::uint32_t> parents_;
 };
 
-/// Returns the variables that the condition reads. A read of the value that a trigger receives is treated as a read of
-/// the variable that stores it.
+/// Returns the variables that the condition reads. If it reads the value that a trigger receives, this counts as a read
+/// of the variable that stores it.
 std::set<VariableId> variables_read(const Expr& root, VariableId trigger) {
     std::set<VariableId> result;
     visit_operands(root, [&](const Expr& expr) {
@@ -74,7 +74,7 @@ Groups related_variables(const System& system, const Machine& machine) {
     return groups;
 }
 
-/// True if at most one instance of the machine runs in every component.
+/// Returns true if no component runs two instances of the machine.
 bool runs_once(const System& system, MachineId id) {
     const auto contains = [&](const Controller& controller) {
         return std::ranges::count(controller.machines, id, &MachineInstance::machine);
@@ -102,7 +102,7 @@ std::string term_text(const Machine& machine, const LinearForm& term) {
     return result;
 }
 
-/// Replaces the groups of one machine.
+/// Replaces the groups of related variables in one machine.
 class MachineRelations {
 public:
     MachineRelations(const System& system, const Sampling& sampling, const Places& places, MachineId id,
@@ -120,7 +120,7 @@ public:
         }
     }
 
-    /// Returns the machine in which holders replace the groups. Meaningful if failed() is empty.
+    /// Returns the machine with holders in place of the groups. Use the result only if failed() is empty.
     Machine rewrite();
     [[nodiscard]] const std::set<VariableId>& failed() const { return failed_; }
     [[nodiscard]] std::vector<Relation> relations() const {
@@ -172,11 +172,11 @@ private:
     std::set<VariableId> failed_;
     std::map<std::pair<const Expr*, VariableId>, ExprPtr>
         conditions_;      ///< conditions that are replaced; for lookup only
-    VariableId trigger_;  ///< the variable that stores the received value which the condition reads
+    VariableId trigger_;  ///< stores the received value that the condition reads
 };
 
-/// True if the place is a variable of the group, an event whose values only these variables store, or an output or call
-/// that sends copies of them.
+/// Returns true if only the group uses the place: it is a variable of the group, an event whose values only these
+/// variables store, or an output or call that sends copies of them.
 bool MachineRelations::holds_only(VariableId group, PlaceId place) const {
     const Place& found = places_[place];
     if (found.machine == no_id) return !found.variable;
@@ -185,8 +185,8 @@ bool MachineRelations::holds_only(VariableId group, PlaceId place) const {
     return groups_.group_of(VariableId{place - places_.variable(id_, VariableId{0})}) == group;
 }
 
-/// True if a holder may replace the group, provided that its conditions have a common term. Its variables must have the
-/// type int or real. All places of their values must belong to the group or connect it with the platform.
+/// Returns true if a holder may replace the group, provided that its conditions share one term. All variables must have
+/// the type int or real. All places with their values must belong to the group, or connect it with the platform.
 bool MachineRelations::is_admissible(VariableId group) const {
     const TypeKind kind = system_.type(type_of(group)).kind;
     if (kind != TypeKind::integer && kind != TypeKind::real) return false;
@@ -203,7 +203,7 @@ bool MachineRelations::is_admissible(VariableId group) const {
     return true;
 }
 
-/// Returns the groups that store or send values of the event.
+/// Returns the groups that store a value of the event, or send one.
 std::set<VariableId> MachineRelations::groups_of(EventId event) const {
     std::set<VariableId> result;
     const PlaceId place = places_.event(id_, event);
@@ -233,7 +233,7 @@ LinearReader MachineRelations::reader(VariableId group) const {
     return {system_, sampling_.instantiation().scale, closed, read_variable};
 }
 
-/// Returns the expression as k * holder + c, with the holder as component 0. The first form of a group determines its
+/// Returns the expression as k * holder + c, where component 0 is the holder. The first form of a group becomes its
 /// term.
 std::optional<LinearForm> MachineRelations::in_terms_of_holder(VariableId group, const LinearForm& form) {
     LinearForm& term = relations_.at(group).term;
@@ -252,7 +252,7 @@ std::optional<LinearForm> MachineRelations::in_terms_of_holder(VariableId group,
     return LinearForm{{{0, factor}}, form.constant};
 }
 
-/// Returns the holder, or the holder's new value if the expression reads the value that a trigger receives.
+/// Returns the holder. If the expression reads the value that a trigger receives, returns the new value of the holder.
 ExprPtr MachineRelations::holder(VariableId group, const Expr& origin) const {
     Expr result;
     result.kind = ExprKind::variable;
@@ -302,8 +302,8 @@ ExprPtr MachineRelations::multiple(const LinearForm& form, VariableId group, Typ
     return result;
 }
 
-/// True if a form contains both the value that the trigger receives and the variable that stores it. The received value
-/// represents the new value of the variable, so this is not allowed.
+/// Returns true if a form contains both the value that the trigger receives and the variable that stores it. This is
+/// not allowed, because the received value represents the new value of that variable.
 bool mixes_old_and_new(const Expr& root, VariableId trigger) {
     bool reads_new = false, reads_old = false;
     visit_operands(root, [&](const Expr& expr) {
@@ -343,8 +343,8 @@ bool may_contain_terms(ExprKind kind) {
            kind == ExprKind::if_then_else || kind == ExprKind::is_in;
 }
 
-/// Replaces the largest parts of the expression that are linear in the variables of the group. The recursion is as deep
-/// as the expression.
+/// Replaces parts of the expression that are linear in the variables of the group, each as large as possible. Recursion
+/// depth: the depth of the expression.
 ExprPtr MachineRelations::substitute(const ExprPtr& expr) {
     if (!expr) return expr;
     const std::set<VariableId> read = groups_read(*expr);
@@ -367,8 +367,8 @@ ExprPtr MachineRelations::substitute(const ExprPtr& expr) {
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// Returns the replacement of a condition. Guards may share a condition, for example with `condition else`, and then
-/// also share the replacement.
+/// Returns what replaces a condition. If guards share a condition, as `condition else` does, they also share what
+/// replaces it.
 ExprPtr MachineRelations::condition(const ExprPtr& expr, VariableId trigger) {
     if (!expr) return expr;
     if (const auto known = conditions_.find({expr.get(), trigger}); known != conditions_.end()) return known->second;
@@ -387,7 +387,7 @@ ExprPtr MachineRelations::condition(const ExprPtr& expr, VariableId trigger) {
     return result;
 }
 
-/// Rewrites a value that is sent: the holder replaces a variable of a group.
+/// Rewrites a value that is sent. A variable of a group becomes its holder.
 ExprPtr MachineRelations::copied(const ExprPtr& expr) {
     if (!expr || expr->kind != ExprKind::variable || !is_replaced(expr->variable)) {
         refuse_reads(expr);
@@ -396,7 +396,7 @@ ExprPtr MachineRelations::copied(const ExprPtr& expr) {
     return holder(groups_.group_of(expr->variable), *expr);
 }
 
-/// Rewrites a communication. An event of a group is either an input whose values the group stores, or an output.
+/// Rewrites a communication. An event with values of a group is either an output, or an input that the group stores.
 void MachineRelations::rewrite_communication(Communication& communication, bool trigger, const std::string& element) {
     const std::set<VariableId> groups = groups_of(communication.event);
     const Event& event = machine_.events[communication.event.index];
@@ -412,8 +412,8 @@ void MachineRelations::rewrite_communication(Communication& communication, bool 
     communication.variable = group;
 }
 
-/// Rewrites `x := e`. The value of the term after the assignment must be k * t + c, where t is its value before the
-/// assignment.
+/// Rewrites `x := e`. If t is the value of the term before the assignment, its value after the assignment must be k * t
+/// + c.
 void MachineRelations::rewrite_assignment(Stmt& stmt) {
     const VariableId group = groups_.group_of(stmt.variable);
     const LinearForm term = relations_.at(group).term;
@@ -488,8 +488,8 @@ void MachineRelations::rewrite_initial_values(Machine& machine) {
     for (auto& [group, relation] : relations_) initialise(machine, relation);
 }
 
-/// Rejects during actions that change a variable of the group. Such an action may run between the event of a trigger
-/// and the write of the received value. The class of the received value would then no longer be that of the term.
+/// Rejects during actions that change a variable of the group. Such an action could run after the event of a trigger
+/// and before the received value is stored. Then the class of the received value would no longer be that of the term.
 void MachineRelations::refuse_writes_during() {
     for (const Node& node : machine_.nodes) {
         if (!node.during) continue;

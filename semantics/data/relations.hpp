@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles conditions that relate variables of a machine, such as `d > l` or `(now - start) % 360 < 90`. Private to this
+// Handles conditions on several variables of a machine, such as `d > l` or `(now - start) % 360 < 90`. Private to this
 // component.
 //
 // One variable, the holder, replaces a group of variables that conditions relate, if all conditions read the group
@@ -10,8 +10,8 @@
 // coefficient of 1 or -1 maps the integers onto the integers. This property is called homogeneity. It does not hold for
 // nat and for types with bounds (docs/data.md, "Relations of variables").
 //
-// An input is stored after its event has occurred. So nothing may change the group between the event and the store: no
-// during action writes a variable of the group.
+// An input is stored after its event has occurred. In between, nothing may change the group. Therefore no during action
+// may write a variable of the group.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@
 
 namespace robochart::ir {
 
-/// Identifies a group of variables of one machine by the machine and the lowest VariableId in the group.
+/// Identifies a group of variables: its machine, and the lowest VariableId in the group.
 using GroupId = std::pair<MachineId, VariableId>;
 
 /// A group of variables that is replaced by a holder.
@@ -38,19 +38,19 @@ struct Relation {
     std::string text;  ///< "d - l"
     /// The initial value of each variable of the group, in units of the sampling scale.
     std::map<VariableId, std::int64_t> initial;
-    /// By the qualified name of a transition or statement: the variable that stores its input.
+    /// For the qualified name of a transition or statement: the variable in which it stores its input.
     std::map<std::string, VariableId> stored_by;
     bool assigned = false;  ///< an assignment changes a variable of the group
 };
 
-/// A system in which holders replace groups. The other variables of a group are unused, and have the type and the
-/// initial value of the holder.
+/// A system in which holders replace groups. The other variables of a group remain, but nothing uses them. They have
+/// the type and the initial value of the holder.
 struct RelatedSystem {
     System system;
     std::vector<Relation> relations;
 };
 
-/// Replaces all groups that can be replaced, except `refused`. collect_uses must have processed `places`.
+/// Replaces all groups that can be replaced, except `refused`. Call collect_uses with `places` first.
 [[nodiscard]] RelatedSystem relate_variables(const System& system, const Sampling& sampling, const Places& places,
                                              std::set<GroupId> refused);
 

@@ -16,7 +16,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Rewrites the machines of a system: places of replaced flow classes get the types of their classes.
+/// Rewrites the machines of a system. Places of replaced flow classes hold classes afterwards.
 class Rewriter {
 public:
     Rewriter(const System& system, const Sampling& sampling, const Places& places, const std::map<PlaceId, Uses>& uses,
@@ -78,7 +78,7 @@ private:
     std::map<PlaceId, ClassTypes> types_;
     MachineId machine_;
     Machine* result_ = nullptr;  ///< the machine that is rewritten
-    PlaceId trigger_ = no_id;    ///< the place of the received value that guards and predicates read
+    PlaceId trigger_ = no_id;    ///< the place whose received value guards and predicates read
 };
 
 /// Returns a name that no type has.
@@ -88,8 +88,8 @@ std::string unused_name(const System& system, std::string name) {
     return name;
 }
 
-/// Returns the text of a value of the class. If no condition depends on the values, the last class represents all
-/// values that the model does not write.
+/// Returns the text for a value of the class. If no condition reads the values, the last class represents every value
+/// that the model does not write.
 std::string Rewriter::shown_text(PlaceId flow, const ValueClasses& classes, std::size_t number) const {
     if (classes.nothing_tested && classes.witnesses.size() == 1) return "any value";
     if (classes.nothing_tested && number + 1 == classes.witnesses.size()) return "any other value";
@@ -128,7 +128,7 @@ ExprPtr Rewriter::literal(PlaceId flow, std::size_t number, diagnostics::Span sp
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// Returns a test of the class that replaces the condition.
+/// Returns a test of the class. It replaces the condition.
 ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
     const std::vector<bool>& answers = classes_.at(flow).answers.at(&condition);
     assert(answers.size() == classes_.at(flow).witnesses.size());
@@ -151,8 +151,8 @@ ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
     return is_one_of(flow, *place, numbers, condition.span);
 }
 
-/// Returns an expression that is true if the place (a variable or a received value) holds one of these classes. It has
-/// the span of the condition that it replaces.
+/// Returns an expression that is true if the variable or received value `place` holds one of these classes. Its span is
+/// that of the condition that it replaces.
 ExprPtr Rewriter::is_one_of(PlaceId flow, const Expr& place, const std::set<std::size_t>& numbers,
                             diagnostics::Span span) const {
     Expr set;
@@ -204,7 +204,7 @@ void Rewriter::rewrite_communication(Communication& communication) {
     communication.value = written(carried, communication.value);
 }
 
-/// True if the machine chooses the class of the value, because the value is computed and some condition reads it.
+/// Returns true if the machine must choose the class: the value is computed, and a condition reads it.
 bool Rewriter::is_chosen(PlaceId target, const ExprPtr& expr) const {
     const ValueClasses* classes = expr ? classes_at(target) : nullptr;
     return classes != nullptr && !classes->nothing_tested && place_of(*expr) == no_id &&
@@ -219,8 +219,8 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const std::s
     return StatementMaker(*result_).choice_of_value(variable, values, origin);
 }
 
-/// Returns the only variable that the expression reads. Returns null if it reads several variables, a received value or
-/// a clock.
+/// Returns the variable that the expression reads. Returns null if it reads more than one, a received value or a
+/// clock.
 const Expr* only_variable(const Expr& root) {
     const Expr* result = nullptr;
     bool others = false;
@@ -233,9 +233,9 @@ const Expr* only_variable(const Expr& root) {
     return others ? nullptr : result;
 }
 
-/// Assigns a class that the value can have. If the class of the variable from which it is computed restricts it, the
-/// choice follows a test of this class. The test and the choice are two steps, so no other thread may write the
-/// variable between them. This holds because there is no during action and the variable is not shared.
+/// Assigns a class that the value can have. The class of the variable from which the value is computed may restrict the
+/// choice; a test of this class then comes first. The test and the choice are two steps, and no other thread may write
+/// the variable between them. None does: there is no during action, and the variable is not shared.
 StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPtr& value, const Origin& origin) {
     std::set<std::size_t> all;
     for (std::size_t i = 0; i < classes_at(target)->witnesses.size(); ++i) all.insert(i);
@@ -262,7 +262,7 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPt
     return result;
 }
 
-/// Returns the value that is sent. If the machine chooses its class, a new variable holds the choice.
+/// Returns the value that is sent. If the machine chooses its class, a new variable stores the choice.
 ExprPtr Rewriter::chosen_before(PlaceId target, const ExprPtr& expr, std::vector<StmtPtr>& choices,
                                 const Origin& origin) {
     if (!is_chosen(target, expr)) return written(target, expr);

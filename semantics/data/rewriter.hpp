@@ -13,14 +13,14 @@
 
 namespace robochart::ir {
 
-/// Returns the system in which the places of the flow classes hold literals of enumerations, one literal for each
-/// class. The conditions test these literals. `uses` contains the uses of all flow classes. For a flow class of related
-/// variables, `terms` contains their term, and the classes are those of the values of the term.
+/// Returns the system with classes: the places of each flow class hold literals of an enumeration, one for each class,
+/// and conditions test these literals. `uses` contains the uses of all flow classes. `terms` contains the term of each
+/// flow class of related variables; its classes are classes of the values of the term.
 [[nodiscard]] System with_classes(const System& system, const Sampling& sampling, const Places& places,
                                   const std::map<PlaceId, Uses>& uses, const std::map<PlaceId, ValueClasses>& classes,
                                   const std::map<PlaceId, std::string>& terms = {});
 
-/// Returns the text of a class of values of a term: "d - l = 1". `witness` is a value in the class, and `scale` is the
+/// Returns the text of a class of values of a term: "d - l = 1". `witness` is one of these values. `scale` is the
 /// number of units that represent 1.
 [[nodiscard]] std::string term_value_text(const System& system, std::int64_t scale, const std::string& term,
                                           TypeId type, const Value& witness);

@@ -18,8 +18,8 @@
 namespace robochart::ir {
 namespace {
 
-/// The number of decimal places in addition to those of the model. It is sufficient because the computation of means of
-/// corners divides by at most 16 (linear.hpp).
+/// How much finer the unit is than that of the model. Four more decimals are enough, because the means of corners have
+/// divisors of at most 16 (linear.hpp).
 constexpr std::int64_t finer = 10'000;
 
 /// Returns the values of a machine's constants in every context in which it runs.
@@ -43,8 +43,8 @@ std::vector<std::vector<Value>> values_in_contexts(const System& system, const I
     return {found.begin(), found.end()};
 }
 
-/// True if the value depends on the finite carriers of types. This is the case for quantifiers, functions of the model,
-/// and some functions of the toolkits.
+/// Returns true if the value depends on finite carriers. This can happen with quantifiers, functions of the model, and
+/// some functions of the toolkits.
 bool depends_on_carriers(const Expr& root) {
     bool result = false;
     visit_operands(root, [&](const Expr& expr) {
@@ -107,7 +107,7 @@ bool Sampling::has_finite_constants(MachineId machine) const {
     return finite == ideal;
 }
 
-/// True if a property may give another value to a constant of this name.
+/// Returns true if a property may set a constant of this name to another value.
 bool Sampling::is_set_by_property(MachineId machine, const Expr& root) const {
     bool result = false;
     visit_operands(root, [&](const Expr& expr) {
@@ -181,7 +181,7 @@ std::optional<int> Sampling::truth(MachineId machine, const Expr& condition, con
             Evaluator evaluator(system_, ideal_, &system_.machine(machine), environment);
             if (evaluator.is_defined(condition)) answer = evaluator.evaluate_value(condition).number != 0 ? 1 : 0;
         } catch (const EvaluationFault&) {
-            return std::nullopt;  // an error, which the checker reports
+            return std::nullopt;  // the checker will report this error
         }
         if (result && *result != answer) return std::nullopt;
         result = answer;

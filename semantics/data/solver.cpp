@@ -20,15 +20,15 @@ namespace {
 
 constexpr std::size_t most_combinations = 4'096;
 constexpr std::size_t most_numbers = 8;  ///< limit for one value; each number doubles the decimals that are tried
-/// The limits of the solver for one value. The solver does not count all of its steps.
+/// Limits for one call of the solver. The time is limited too, because the solver does not count all of its steps.
 constexpr unsigned most_steps = 2'000'000, most_milliseconds = 2'000;
 /// The limit for all values.
 constexpr std::chrono::seconds most_time{10};
 /// The limit of the solver's memory in MB.
 constexpr unsigned most_memory = 1'024;
 
-/// Translates conditions about one value into formulas about the numbers in it. A number is an integer of the solver
-/// for nat and int, and a real otherwise.
+/// Translates conditions on one value into formulas over the numbers in it. For nat and int, the solver uses integers,
+/// and otherwise reals.
 class SolverFormulas {
 public:
     using Formula = std::optional<z3::expr>;
@@ -194,8 +194,8 @@ SolverFormulas::Formula SolverFormulas::read_operation(const Expr& expr) {
     return *left * *right;
 }
 
-/// Translates quotients and remainders with positive constant divisors. They are rounded down, as the solver does for
-/// integers. The remainder of a real is left - right * floor(left / right).
+/// Translates quotients and remainders with positive constant divisors. They are rounded down, like those of the solver
+/// for integers. The remainder of a real is left - right * floor(left / right).
 SolverFormulas::Formula SolverFormulas::read_quotient(const Expr& expr) {
     const auto divisor = sampling_.closed_value(machine_, *expr.args.at(1));
     const Formula left = read_number(*expr.args.at(0)), right = read_number(*expr.args.at(1));
@@ -221,7 +221,7 @@ struct SolverFraction {
     std::int64_t numerator = 0, denominator = 1;
 };
 
-/// Returns the number itself, or a fraction a little below it if it is irrational.
+/// Returns the number, or a slightly smaller fraction if the number is irrational.
 std::optional<SolverFraction> read_fraction(z3::context& context, const z3::expr& number) {
     z3::expr rational = number;
     if (!number.is_numeral() && number.is_algebraic()) rational = number.algebraic_lower(9);
@@ -262,8 +262,8 @@ public:
 private:
     using Answers = std::vector<int>;
 
-    /// Makes a solver for the logic of the conditions. Z3 decides polynomials over the reals completely in the logic
-    /// QF_NRA (Jovanović and de Moura, Solving non-linear arithmetic, IJCAR 2012).
+    /// Makes a solver for the logic of the conditions. For polynomials over the reals, the logic QF_NRA is decided
+    /// completely (Jovanović and de Moura, Solving non-linear arithmetic, IJCAR 2012).
     [[nodiscard]] z3::solver make_solver() {
         const bool reals = std::ranges::all_of(formulas_.parts(), [](const NumberPart& part) {
             return part.kind == TypeKind::real || part.kind == TypeKind::boolean;
@@ -281,8 +281,8 @@ private:
         return result;
     }
 
-    /// Runs the solver. Its parameter ctrl_c is false, because the solver would otherwise replace the handler of SIGINT
-    /// while it runs.
+    /// Runs the solver. Sets ctrl_c to false: otherwise the solver would replace our handler of SIGINT while it
+    /// runs.
     [[nodiscard]] z3::check_result check(z3::solver& solver) {
         sampling_.instantiation().poll();
         if (std::chrono::steady_clock::now() > end_) return z3::unknown;
@@ -297,7 +297,7 @@ private:
         return result;
     }
 
-    /// Adds a value with the answers of the solver's model, and excludes these answers.
+    /// Adds a value that has the answers of the solver's model. Then excludes this combination of answers.
     [[nodiscard]] bool add_value(z3::solver& solver, std::vector<Value>& found) {
         const z3::model model = solver.get_model();
         Answers answers;
@@ -335,7 +335,7 @@ bool SolverSearch::gives(const Value& value, const Answers& answers) const {
     return true;
 }
 
-/// Returns a value whose numbers are close to those of the solver and are multiples of the step, in units.
+/// Returns a value close to the solver's numbers. Each of its numbers is a multiple of the step, in units.
 std::optional<Value> SolverSearch::rounded_value(const std::vector<SolverFraction>& numbers, std::int64_t step,
                                                  const Answers& answers) const {
     const std::int64_t scale = sampling_.instantiation().scale;

@@ -9,8 +9,8 @@
 
 namespace robochart::ir {
 
-/// Makes statements with control points of one machine. Control points are numbered in the order in which the
-/// statements are made.
+/// Makes statements of one machine and gives each of them a control point. Control points are numbered in the order of
+/// creation.
 class StatementMaker {
 public:
     /// The machine must outlive the object.
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] StmtPtr choice_of_value(VariableId variable, const std::vector<ExprPtr>& values,
                                           const Origin& origin);
     [[nodiscard]] StmtPtr if_then_else(ExprPtr condition, StmtPtr then, StmtPtr otherwise, const Origin& origin);
-    /// Adds a variable of the machine. If the name is in use, the variable gets a longer one.
+    /// Adds a variable to the machine. Extends its name if another variable has this name.
     VariableId add_variable(std::string name, TypeId type, const Origin& origin);
     /// Returns an expression that reads the variable.
     [[nodiscard]] ExprPtr read(VariableId variable, diagnostics::Span span) const;

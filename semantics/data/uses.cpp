@@ -47,7 +47,7 @@ private:
     Places& places_;
     Computed computed_;
     MachineId machine_;
-    PlaceId trigger_ = no_id;  ///< the place of the received value that guards and predicates read
+    PlaceId trigger_ = no_id;  ///< the place whose received value guards and predicates read
     std::map<PlaceId, Uses> uses_;
 };
 
@@ -79,8 +79,8 @@ void UseCollector::read_condition(const ExprPtr& expr) {
         read_guard(expr);
 }
 
-/// Reads a guard. If it reads only one place, it is one condition on the values of this place. If a connective reads
-/// several places, each operand is a condition, unless a call may be undefined: the whole guard is then false.
+/// Reads a guard. If it reads only one place, it is one condition on that place. Otherwise each operand of a connective
+/// is a condition. A guard with a call that may be undefined is not divided, because it is then false as a whole.
 void UseCollector::read_guard(const ExprPtr& expr) {
     if (!expr) return;
     const std::set<PlaceId> read = places_read(*expr);
@@ -112,8 +112,8 @@ void UseCollector::write(PlaceId target, const ExprPtr& expr, bool initial) {
     uses_[target].writes.push_back(std::move(written));
 }
 
-/// Reads an assignment to a part of a variable. It is treated as a computation of the whole new value from the old
-/// value.
+/// Reads an assignment to a part of a variable. It counts as a computation of the new value from the old
+/// one.
 void UseCollector::write_part(const Stmt& stmt) {
     const PlaceId target = places_.variable(machine_, stmt.variable);
     if (computed_ == Computed::exactly) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects what a model does with the values of each flow class. Private to this component.
+// Collects how a model uses the values of each flow class. Private to this component.
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@ struct Condition {
     ExprPtr body;  ///< the condition with calls replaced by the bodies of functions
 };
 
-/// A value that is stored or sent and is not a copy of a place.
+/// A value that is stored or sent, other than a copy of a place.
 struct Written {
     const Expr* expr = nullptr;  ///< null: the default value of the type
     MachineId machine;
@@ -33,10 +33,10 @@ struct Written {
 struct Uses {
     std::vector<Condition> conditions;
     std::vector<Written> writes;
-    /// For every transition that receives a value of the class: the condition on the value, or null if the transition
-    /// takes every value.
+    /// For every transition that receives a value of the class: its condition on the value. Null if the transition
+    /// accepts every value.
     std::vector<const Expr*> entries;
-    std::optional<Keep> needs_values;  ///< the first use that needs the values themselves
+    std::optional<Keep> needs_values;  ///< a use that needs the values themselves, if any; the first one found
 };
 
 /// How the class model represents computed values.
@@ -45,8 +45,8 @@ enum class Computed {
     freely,   ///< computed values may belong to any class, or be undefined
 };
 
-/// Collects the uses of all flow classes. If the model copies a value, unites the flow classes of both places in
-/// `places`.
+/// Collects the uses of all flow classes. Wherever the model copies a value, unites the flow classes of the two places
+/// in `places`.
 [[nodiscard]] std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places,
                                                    Computed computed = Computed::exactly);
 

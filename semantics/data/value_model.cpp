@@ -36,7 +36,7 @@ bool is_literal(const Expr& root) {
     return expr.kind == ExprKind::integer || expr.kind == ExprKind::real;
 }
 
-/// True for expressions that give the same result whether or not numbers have carriers.
+/// Returns true for expressions whose result does not depend on whether numbers have carriers.
 bool is_free_of_carriers(const Expr& root) {
     bool result = true;
     visit_operands(root, [&](const Expr& expr) {
@@ -118,7 +118,7 @@ private:
     std::map<TypeId, std::set<PlaceId>> flows_;  ///< the flow classes of the machines, by type
 };
 
-/// Adds the flow class of a place. Returns false if its values are computed, or if some use requires the values
+/// Adds the flow class of a place. Returns false if values of it are computed, or if a use needs the values
 /// themselves.
 bool Explorer::add_place(PlaceId place) {
     if (place == no_id || !has_numbers(system_, places_[place].type)) return true;
@@ -146,8 +146,8 @@ bool Explorer::find_flows() {
     return true;
 }
 
-/// True if the machines compute the same results with and without carriers. Constants and initial values are computed
-/// before code is generated.
+/// Returns true if carriers do not change what the machines compute. Constants and initial values are not considered,
+/// because they are computed before code is generated.
 bool Explorer::machines_are_free(const System& rewritten) const {
     return std::ranges::all_of(machines_, [&](MachineId id) {
         bool result = sampling_.has_finite_constants(id);
@@ -160,7 +160,7 @@ bool Explorer::machines_are_free(const System& rewritten) const {
     });
 }
 
-/// Returns the values that the model writes: first the default value, then the others in ascending order.
+/// Returns the values that the model writes: the default value, and then the others in ascending order.
 std::vector<Value> Explorer::written_values(TypeId type, const std::set<PlaceId>& flows) const {
     const Value standard = default_value(system_, sampling_.instantiation(), type);
     std::set<Value> others;
@@ -189,8 +189,8 @@ bool Explorer::add_conditions(LinearConditions& linear, TypeId type, const std::
     return true;
 }
 
-/// Returns candidates in each region: two more than the number of written values, or all values of a region that has
-/// fewer. If the conditions do not read all numbers of a value, the candidates of a region differ in an unread number.
+/// Returns candidates in each region: two more than the number of written values, or all values of the region if it has
+/// fewer. If the conditions ignore some numbers of a value, the candidates of a region differ in an ignored number.
 std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearConditions& linear, TypeId type,
                                                               const std::vector<Value>& written) const {
     if (linear.has_remainders()) return std::nullopt;  // points() returns only the points of one period
@@ -216,8 +216,8 @@ std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearCondit
     return result;
 }
 
-/// Adds, for each region, `fresh_values` values that the model does not write, or all values of a region that has
-/// fewer. Returns false if there are too many.
+/// Adds `fresh_values` values of each region that the model does not write, or all values of a region that has fewer.
+/// Returns false if these are too many.
 bool Explorer::add_regions(const LinearConditions& linear, TypeId type, std::vector<Value>& values) const {
     const std::vector<Value> written = values;
     const auto candidates = values_in_regions(linear, type, written);
@@ -299,7 +299,7 @@ public:
         return result;
     }
 
-    /// True if it is known that the region has no other sequence. Requires that `other` has found none.
+    /// Returns true if the region is known to have no other sequence. `other` must have found none before.
     [[nodiscard]] bool is_alone(const Value& value) const {
         const std::vector<SequenceConditions::Comparison> comparisons = conditions_.comparisons();
         if (value.parts.size() > comparisons.size()) return false;
@@ -321,7 +321,7 @@ public:
 private:
     static constexpr std::size_t most_places = 64;
 
-    /// Returns a number beyond all thresholds, or the least natural number.
+    /// Returns a number on this side of all thresholds. On the lower side of natural numbers, returns the least one.
     [[nodiscard]] std::int64_t beyond(std::int64_t side) const {
         std::int64_t greatest = 0;
         for (const auto& [window, threshold] : conditions_.comparisons())
@@ -335,8 +335,8 @@ private:
     bool natural_;
 };
 
-/// Adds `fresh_values` sequences of each region, or its only sequence. Returns false if there are too many, or if it is
-/// not known whether a region has further sequences.
+/// Adds `fresh_values` sequences of each region, or its only sequence. Returns false if these are too many, or if the
+/// region may have further sequences that were not found.
 bool Explorer::divide_sequences(TypeId type, const std::set<PlaceId>& flows, std::vector<Value>& values,
                                 ValueModel& result) const {
     if (values.size() > 1) return false;  // the code cannot build other sequences than the empty one
@@ -403,7 +403,7 @@ void Explorer::add_window(MachineId machine, ModelComparison& comparison) const 
     }
 }
 
-/// Adds the comparisons in a condition that have an answer for each value. The answers for sequences are not needed.
+/// Adds the comparisons in a condition whose answer is known for each value. Sequences need no answers.
 void Explorer::add_comparisons(const Condition& condition, TypeId type, const std::vector<Value>& values,
                                ValueModel& result) const {
     visit_operands(*condition.expr, [&](const Expr& expr) {

@@ -19,14 +19,14 @@
 
 namespace robochart::ir {
 
-/// A comparison of a linear form with zero: the sum of coefficients times the numbers of a value (number_parts.hpp),
-/// plus the constant in units (ValueModel::scale). The form of a sequence has one number: the least or greatest number
-/// in a window, or the size. If this is a whole number, the constant is a whole number too.
+/// A comparison of a linear form with zero. The form is a sum of coefficients times the numbers of a value
+/// (number_parts.hpp), plus a constant in units (ValueModel::scale). For a sequence, the only number is its size, or
+/// the least or greatest number in a window. If this is a whole number, the constant is a whole number too.
 struct Cut {
     TypeId type;
     std::vector<std::int64_t> coefficients;  ///< one for each number of the type; not all are 0
     std::int64_t constant = 0;
-    std::optional<SequenceWindow> window = {};  ///< for a sequence: the window, or no value if the number is the size
+    std::optional<SequenceWindow> window = {};  ///< for a sequence: the window; no value if the number is the size
     friend auto operator<=>(const Cut&, const Cut&) = default;
 };
 /// Returns the same cut with coprime numbers and a positive first coefficient.
@@ -47,7 +47,7 @@ struct ModelComparison {
     const Expr* expr = nullptr;                     ///< the comparison in the system of the model
     std::map<const Expr*, std::int64_t> constants;  ///< its constants: reals in units, other numbers unchanged
     std::vector<bool> answers;  ///< the truth value for each explored value of the type; empty for sequences
-    std::optional<Cut> cut;     ///< for windows of sequences of reals: the window's number minus the other operand
+    std::optional<Cut> cut;     ///< for windows of reals: the number of the window minus the other operand
     std::size_t window = 0;     ///< with `cut`: the operand that reads the window, 0 or 1
 };
 
@@ -61,11 +61,11 @@ struct ValueModel {
     std::vector<Cut> cuts;  ///< the forms of all conditions and comparisons, normalized and ascending
 };
 
-/// Returns the value model of these machines. The conditions of the model and `cuts` divide the regions. Returns no
-/// value if the machines compute numbers or durations, compare values with each other, or contain other data with
-/// numbers or without a finite set of values (for example, sequences of records). Also returns no value if there are no
-/// numbers, if a condition contains a remainder, or if there are too many regions. The instantiation is that of the
-/// model, with its own carriers.
+/// Returns the value model of these machines. The conditions of the model and `cuts` divide values into regions.
+/// Returns no value if the machines compute numbers or durations, compare values with each other, or contain data that
+/// are neither numbers nor have finitely many values (for example, sequences of records). Also returns no value without
+/// any numbers, if a condition contains a remainder, or if there are too many regions. `instantiation` is that of the
+/// model, with its carriers.
 [[nodiscard]] std::optional<ValueModel> value_model(const System& system, const Instantiation& instantiation,
                                                     const std::vector<MachineId>& machines,
                                                     const std::vector<Cut>& cuts);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes a number that conditions read from a sequence: the least or the greatest number at some of its places, or
-// at all of them.
+// Describes a number that a condition reads from a sequence: the least or the greatest number in a window. A window
+// contains some places of the sequence, or all of them.
 #pragma once
 
 #include <compare>
@@ -11,7 +11,7 @@
 
 namespace robochart::ir {
 
-/// The last place of windows. It represents itself and all places after it, so only the window of all places has it.
+/// Represents this place and all places after it. Only the window of all places contains it.
 inline constexpr std::int64_t last_place = 4096;
 
 struct SequenceWindow {
@@ -32,8 +32,8 @@ void visit_items(const SequenceWindow& window, std::size_t length, Visit visit) 
     for (auto index = static_cast<std::size_t>(last_place); index < length; ++index) visit(index);
 }
 
-/// Returns the least (or greatest) of the numbers that `number_at` has for the items of a sequence in the window, or no
-/// value if the window contains no place of the sequence.
+/// Returns the least (or greatest) number in the window. `number_at` gives the number of each item. Returns no value if
+/// the sequence has no item in the window.
 template <class NumberAt>
 [[nodiscard]] auto extremum_in(const SequenceWindow& window, bool greatest, std::size_t length, NumberAt number_at) {
     std::optional<decltype(number_at(length))> result;

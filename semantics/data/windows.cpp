@@ -135,8 +135,8 @@ std::vector<int> SequenceConditions::signs_at(const Value& sequence) const {
     return result;
 }
 
-/// Returns the cells. A cell is the set of places that lie in exactly the same windows. The key is the set of these
-/// windows (by their numbers), and the places of a cell are ascending.
+/// Returns the cells. A cell contains the places that are in exactly the same windows. Its key lists the numbers of
+/// these windows, and its places are ascending.
 std::map<std::vector<std::size_t>, std::vector<std::int64_t>> SequenceConditions::cells() const {
     std::map<std::int64_t, std::vector<std::size_t>> of_place;
     for (std::size_t w = 0; w < windows_.size(); ++w)
@@ -146,7 +146,7 @@ std::map<std::vector<std::size_t>, std::vector<std::int64_t>> SequenceConditions
     return result;
 }
 
-/// Returns all lengths at which a cell begins or a comparison of the size changes, the longest first.
+/// Returns the lengths at which a cell begins or the answer of a comparison with the size changes, in descending order.
 std::vector<std::int64_t> SequenceConditions::lengths() const {
     std::set<std::int64_t> found{0};
     for (const auto& [windows, places] : cells()) {
@@ -164,7 +164,7 @@ std::int64_t SequenceConditions::unit_of(TypeKind kind) const {
     return kind == TypeKind::real ? scale_ : 1;
 }
 
-/// Returns the thresholds of these windows, one number between each two neighbouring thresholds, and one number beyond
+/// Returns the thresholds of these windows, one number between any two neighbouring thresholds, and one number beyond
 /// each end.
 std::vector<std::int64_t> SequenceConditions::numbers_beside(const std::vector<std::size_t>& windows,
                                                              TypeKind kind) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds sequences for every possible combination of answers to conditions on windows. Private to this component.
+// Finds sequences for each combination of answers that conditions on windows can have. Private to this component.
 //
 // A window is a set of places of a sequence, as in `min(ran(extract([31, 90], scan))) < near`. The windows divide the
 // places into cells: two places are in one cell if they are in the same windows. Statement: for every sequence there is
@@ -28,11 +28,11 @@ public:
     /// `scale` is the number of units that represent 1.
     SequenceConditions(const System& system, std::int64_t scale) : system_(system), scale_(scale) {}
 
-    /// Adds a condition that reads only the sequence. Returns false unless the condition is a Boolean combination of
-    /// comparisons of windows, or of the size, with constants. `closed` evaluates expressions without variables.
+    /// Adds a condition that reads only the sequence. Returns false unless it is a Boolean combination of comparisons
+    /// of window numbers, or of the size, with constants. `closed` evaluates expressions without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
-    /// Returns the candidates, or no value if there are too many. `element` is the type of the elements. Candidates
-    /// have the element `other` at all places that are in no window.
+    /// Returns the candidates, or no value if there are too many. Elements have the type `element`. At places that are
+    /// in no window, candidates have the element `other`.
     [[nodiscard]] std::optional<std::vector<Value>> values(TypeId element, const Value& other) const;
 
     /// True if some windows use `min` and others use `max`. In that case there are no candidates.
@@ -48,8 +48,8 @@ public:
         std::int64_t threshold = 0;
     };
     [[nodiscard]] std::vector<Comparison> comparisons() const;
-    /// Returns, for each comparison, the sign of the number minus the threshold, or 2 if the window contains no place
-    /// of the sequence.
+    /// Returns, for each comparison, the sign of the number minus the threshold. Returns 2 for a window without any
+    /// item of the sequence.
     [[nodiscard]] std::vector<int> signs_at(const Value& sequence) const;
 
     /// Returns the greatest number with which the conditions compare the size, or no value if a condition reads

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores the values of the names in an expression, and defines the error of an expression without a value.
+// Stores the values of the names in an expression. Defines the error for an expression without a value.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ public:
     diagnostics::Span span;
 };
 
-/// The values of the names in a machine's expressions. A vector may be shorter than the list of the machine if the
-/// expression does not use the rest. The use of a missing value is a fault.
+/// The values of the names in the expressions of a machine. A vector may end early if the expression does not use the
+/// names after it. The use of a missing value is a fault.
 struct Environment {
     std::vector<Value> variables;      ///< indexed by VariableId
     std::vector<Value> constants;      ///< indexed by ConstantId

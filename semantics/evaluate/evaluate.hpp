@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes the value of an expression over finite carriers. This is the reference for arithmetic: the functions that
-// csp_emit writes and the code that cpp_emit writes must agree with it, which their tests check.
+// csp_emit writes and the code that cpp_emit writes must give the same results. Their tests check this.
 //
 // Numbers (semantics 3.13):
 // * nat and int are whole numbers. A real is stored as the whole number scale * value (Instantiation::scale).
@@ -33,13 +33,13 @@
 
 namespace robochart::ir {
 
-/// Returns the value of an expression. `machine` is needed for the clocks of sinceEntry, and may be null if the
-/// expression has none. Throws EvaluationFault. Quantifiers over types without a small carrier throw std::length_error.
+/// Returns the value of an expression. `machine` has the clocks of sinceEntry; it may be null if the expression reads
+/// none. Throws EvaluationFault, and std::length_error for a quantifier over a type with a large carrier.
 [[nodiscard]] Value evaluate_expression(const System&, const Instantiation&, const Machine* machine, const Environment&,
                                         const Expr&);
 
-/// Returns a decimal in units of 1/scale, rounded down if the scale has too few digits. Returns no value if the result
-/// does not fit into 64 bits.
+/// Returns a decimal in units of 1/scale. Rounds down if the scale has too few digits. Returns no value if the result
+/// exceeds 64 bits.
 [[nodiscard]] std::optional<std::int64_t> scale_decimal(const Decimal&, std::int64_t scale);
 
 }  // namespace robochart::ir

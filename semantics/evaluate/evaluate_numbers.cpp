@@ -12,7 +12,7 @@ namespace robochart::ir {
 
 namespace {
 
-/// Returns the result before clipping. Returns no value if it does not fit into 64 bits and is therefore outside every
+/// Returns the result before clipping. Returns no value if it does not fit into 64 bits; such a result is outside every
 /// carrier.
 std::optional<std::int64_t> exact_result(ExprKind kind, bool real, std::int64_t scale, std::int64_t left,
                                          std::int64_t right) {
@@ -57,7 +57,7 @@ Value Evaluator::apply_entrywise(const Expr& expr, TypeId entry, const Value& le
     return result;
 }
 
-/// Multiplies every entry by a number. The operands keep their order, because clipping yields the first one.
+/// Multiplies every entry by a number. Keeps the order of the operands, because clipping yields the first one.
 Value Evaluator::scaled_block(const Expr& expr, TypeId entry, const Value& left, const Value& right) {
     if (left.parts.empty() && right.parts.empty()) return clip_result(expr, ExprKind::times, entry, left, right);
     Value result;

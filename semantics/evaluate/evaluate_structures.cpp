@@ -64,8 +64,8 @@ Value Evaluator::function_call(const Expr& expr) {
 }
 
 /// Returns the value of a function call. Without postconditions, it is the default value of the result type: 0, true or
-/// the first literal (semantics 3.13). With postconditions, it is the first value that satisfies them, and the default
-/// value is tried first. If a postcondition names the value, no search is necessary.
+/// the first literal (semantics 3.13). Otherwise it is the first value that satisfies them; the default value comes
+/// first. If a postcondition states the value, no search is necessary.
 Value Evaluator::function_result(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
     const Value constant = default_value(system_, instantiation_, function.result);
     if (function.postconditions.empty()) return constant;

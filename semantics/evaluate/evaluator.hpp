@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declares the class that implements evaluate.hpp by structural recursion. It has one member function per family of
-// expressions, in four source files. Private to this component.
+// Declares the class that implements evaluate.hpp by structural recursion. Each family of expressions has a member
+// function. Four source files define them. Private to this component.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ namespace robochart::ir {
 
 /// Functions may call themselves in their pre- and postconditions, so the nesting of calls is limited.
 inline constexpr int deepest_call = 64;
-/// The calls of one evaluation are limited, too: a function that calls itself twice makes 2^64 calls in 64 levels.
+/// Limits the calls of one evaluation. If a function calls itself twice, 64 levels would make 2^64 calls.
 inline constexpr int most_calls = 100'000;
 
 class Evaluator {
@@ -28,8 +28,8 @@ public:
         : system_(system), instantiation_(instantiation), machine_(machine), environment_(environment) {}
 
     Value evaluate_value(const Expr& expr);
-    /// True if the preconditions of all functions that the expression calls are true. They are evaluated in the order
-    /// of the semantics.
+    /// Returns true if the preconditions of all called functions are true. Evaluates them in the order of the
+    /// semantics.
     bool is_defined(const Expr& expr);
     /// True if the function's preconditions are true for these arguments.
     bool may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr);
@@ -65,8 +65,8 @@ private:
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
     Value evaluate_access(const Expr& expr);
-    /// Returns the values of the body for all bound values that satisfy the predicate, in order. Without a body,
-    /// returns these bound values.
+    /// Returns the body for each combination of bound values that satisfies the predicate, in order. Without a body,
+    /// returns the combinations themselves.
     std::vector<Value> where_satisfied(const Expr& expr);
     static Value only_candidate(const Expr& expr, const std::vector<Value>& candidates);
     static std::size_t true_ones(const std::vector<Value>& values);
@@ -104,7 +104,7 @@ private:
     const Environment& environment_;
     std::vector<std::pair<std::string, Value>> bindings_;
     int depth_ = 0;  ///< current depth of function calls
-    int calls_ = 0;  ///< of functions that a postcondition defines
+    int calls_ = 0;  ///< number of calls of functions that a postcondition defines
 };
 
 }  // namespace robochart::ir

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates the preconditions of functions that expressions call (semantics 3.5), and decides whether a precondition
-// can be false.
+// Evaluates the preconditions of functions that expressions call (semantics 3.5). Decides whether a precondition can be
+// false.
 #pragma once
 
 #include <vector>
@@ -13,12 +13,12 @@ namespace robochart::ir {
 /// variables.
 [[nodiscard]] bool binds_names(ExprKind);
 
-/// True if the expression reads a variable, the value of a trigger or a clock, so that it cannot be evaluated in
-/// advance.
+/// Returns true if the expression reads a variable, the value of a trigger or a clock. It can then only be evaluated in
+/// a state.
 [[nodiscard]] bool depends_on_state(const Expr&);
 
-/// True if the function may be called with these arguments. Preconditions of functions that are called in its
-/// precondition are checked first. Throws like evaluate_expression().
+/// Returns true if the function may be called with these arguments. If its precondition calls functions, their
+/// preconditions are checked first. Throws like evaluate_expression().
 [[nodiscard]] bool precondition_holds(const System&, const Instantiation&, const Function&,
                                       const std::vector<Value>& arguments);
 

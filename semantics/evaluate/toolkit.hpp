@@ -12,13 +12,13 @@
 
 namespace robochart::ir {
 
-/// Returns the type variables whose carriers influence the result. Type variables are numbered in the order of their
-/// first occurrence in the signature.
+/// Returns the type variables whose carriers affect the result. A type variable gets its number when it first occurs in
+/// the signature.
 [[nodiscard]] std::vector<std::size_t> toolkit_carriers(const std::string& function);
 /// True if the function has a precondition that can be false.
 [[nodiscard]] bool toolkit_precondition(const std::string& function);
-/// Returns the value of a call of a function such as `set_toolkit_union`. A call that violates the precondition is a
-/// fault. `carriers` contains the values of the types that toolkit_carriers returns.
+/// Returns the value of a call such as `set_toolkit_union`. A false precondition is a fault. `carriers` contains the
+/// carriers of the types that toolkit_carriers returns.
 [[nodiscard]] Value toolkit_result(const std::string& function, const std::vector<Value>& arguments,
                                    const std::vector<std::vector<Value>>& carriers, diagnostics::Span where);
 

@@ -23,8 +23,8 @@ std::int64_t upper_bound(const System& system, const Instantiation& instantiatio
     const TypeKind kind = expr.type.is_valid() ? system.type(expr.type).kind : TypeKind::nat;
     const auto& carrier = carrier_of(instantiation, kind);
     std::int64_t bound = carrier.empty() ? 0 : carrier.back();
-    // A constant may have different values in different contexts (controllers), so a bound is exact only if the
-    // expression contains no constant.
+    // A constant may have different values in different contexts (controllers). So the bound is exact only without
+    // constants.
     bool exact = true;
     visit_operands(expr, [&](const Expr& part) { exact = exact && part.kind != ExprKind::constant; });
     if (const auto value = evaluate_constant(system, instantiation, &machine, expr))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extends carriers beyond the numbers in comparisons. A comparison such as `n > limit` would never be true if the
-// carrier ended at the limit.
+// Extends carriers beyond the numbers in comparisons. Otherwise a comparison such as `n > limit` would never be true if
+// the carrier ends at the limit.
 #include "semantics/instantiate/compared.hpp"
 
 #include <algorithm>
@@ -49,8 +49,8 @@ bool is_whole(const Decimal& value) {
     return *floor_modulus(value.unscaled, power_of_ten(value.decimals).value_or(1)) == 0;
 }
 
-/// Compares two decimals. If they cannot be converted to the same number of decimal places, no carrier contains them,
-/// and only their whole parts, rounded down, are compared.
+/// Compares two decimals. If they cannot be given the same number of decimal places, no carrier contains them. Then
+/// only their whole parts, rounded down, are compared.
 bool is_less(const Decimal& a, const Decimal& b) {
     const auto both = align_decimals(a, b);
     return both ? both->left < both->right : floor_of(a) < floor_of(b);
@@ -111,8 +111,8 @@ public:
     KnownValues(const System& system, const Chosen& chosen, std::int64_t longest)
         : system_(system), chosen_(chosen), longest_(longest) {}
 
-    /// Returns no value if the expression depends on the state of a machine. `machine` declares the constants of the
-    /// expression, and is null if there are none.
+    /// Returns no value if the value depends on the state of a machine. `machine` declares the constants in the
+    /// expression, and is null if it has none.
     [[nodiscard]] std::optional<Decimals> find_values(const Expr&, const Machine*, int depth = 0) const;
     [[nodiscard]] bool is_length(const Expr& expr) const {
         const bool size = expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size";
@@ -185,8 +185,8 @@ const Decimals& KnownValues::values_of_constant(const std::string& name, int dep
     return constants_[name] = found;
 }
 
-/// Returns the values of all constants with this name. They are treated as one constant, because a required constant
-/// gets its value from another constant with this name.
+/// Returns the values of all constants with this name. They count as one constant, because a required constant gets its
+/// value from another constant of the same name.
 Decimals KnownValues::values_of(const std::string& name, int depth) const {
     Decimals values;
     for (const Machine& machine : system_.machines) add_declared(machine.constants, name, &machine, depth + 1, values);
@@ -225,7 +225,7 @@ public:
     void look_at(const Expr&, const Machine*);
     /// Records steps of counters: `n = n + 7`, `n = n - 7`.
     void look_at_assignment(const Stmt&, const Machine&);
-    /// Adds the values that counters reach one step beyond the numbers with which they are compared by order.
+    /// Adds the values that counters have one step after the numbers with which they are compared by order.
     void add_steps();
     /// Adds numbers for variables that are compared by order with each other. Their type must contain a greater and a
     /// smaller number for each value that one of them may have.
@@ -237,8 +237,8 @@ public:
     void look_at_stored(TypeId value, TypeId place) {
         conversions_.emplace(system_.type(value).kind, system_.type(place).kind);
     }
-    /// Adds numbers for conversions. A value that is converted to a wider type is treated as compared with the numbers
-    /// of this type.
+    /// Adds numbers for conversions. If a value is converted to a wider type, it counts as compared with the numbers of
+    /// that type.
     void add_converted();
 
 private:
@@ -251,7 +251,7 @@ private:
         return expr.type.is_valid() ? system_.type(expr.type).kind : TypeKind::unit;
     }
 
-    /// A number with which values of a variable are compared by order, or that is added to them.
+    /// A number that is added to a variable, or with which its values are compared by order.
     struct NumberOfVariable {
         const Machine* machine;
         VariableId variable;
@@ -297,7 +297,7 @@ void Comparisons::record_comparison(const Expr& subject, const Expr& with, const
     }
 }
 
-/// Records the values that the parts of the subject must have so that the subject can be on either side of `value`.
+/// Records the values that the parts of the subject must have for the subject to reach both sides of `value`.
 void Comparisons::add(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
     if (known_.is_length(subject) || known_.find_values(subject, machine)) return;
     const TypeKind type = kind(subject);
@@ -418,8 +418,8 @@ void Comparisons::add_extremes(const Literals& literals) {
         for (const Decimal& value : literals.real) add_beyond(value);
 }
 
-/// Adds numbers between the thresholds. The carrier already contains the whole numbers around the thresholds and all
-/// literals.
+/// Adds numbers between thresholds. The whole numbers around thresholds and all literals are already in the
+/// carrier.
 void Comparisons::add_between(const Literals& literals) {
     std::ranges::sort(thresholds_, is_less);
     for (std::size_t i = 1; i < thresholds_.size(); ++i) {

@@ -67,7 +67,7 @@ const Values& BuiltinFunctions::items(Value sequence, Span span) const {
 
 Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
     const auto which = static_cast<Builtin>(builtin->number);
-    // In relational_image(R)(x), the built-in's items contain the relation R.
+    // relational_image(R)(x): the items of the built-in contain R.
     if ((which == Builtin::relational_image || which == Builtin::relational_inverse_image) && !builtin->items.empty()) {
         arguments.insert(arguments.begin(), builtin->items[0]);
         return relation_builtin(which, arguments, span);
@@ -102,8 +102,8 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
     }
 }
 
-// Returns a value that has a unique text, because equal values must have equal texts. Sets are converted to lists of
-// elements if possible. Infinite values and values without a unique text are rejected.
+// Converts a value to a form with a unique text: equal values must have equal texts. Lists the elements of sets if
+// possible. Rejects infinite values and values without a text, such as processes.
 Value BuiltinFunctions::with_text(Value value, Span span) {
     switch (value->kind) {
         case Kind::process:
@@ -195,9 +195,9 @@ Value BuiltinFunctions::relation_builtin(Builtin which, const Values& arguments,
     return store_.set(std::move(result));
 }
 
-// Computes mtransclose(R, S): the classes of R's symmetric and transitive closure, as pairs (representative, x) of
-// members of S, without (x, x). The manual does not define the representative of a class; here it is the least member
-// of the class in S.
+// Computes mtransclose(R, S). The symmetric and transitive closure of R divides S into classes. The result contains (r,
+// x) for each class, where r represents the class and x is another member. FDR's manual does not define r; here r is
+// the least member.
 Value BuiltinFunctions::representatives(Value relation, Value set, Span span) {
     std::map<Value, Values> related;
     for (const Value pair : domains_.elements(relation, span)) {
@@ -274,7 +274,7 @@ process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
 
 /// Returns the order of prioritisepo(P, prioritised, pairs, maximal).
 process::RenamingId BuiltinFunctions::partial_order(const Values& arguments, Span span) {
-    // The arguments are evaluated one after the other, because events are numbered in the order of first use.
+    // Evaluates the arguments in order, because events get their numbers when they are first used.
     const process::EventSet prioritised = domains_.event_set(arguments[1], span);
     std::vector<process::EventPair> pairs;
     for (const Value pair : domains_.elements(arguments[2], span)) {
@@ -345,7 +345,7 @@ Value BuiltinFunctions::process_builtin(Builtin which, Value builtin, const Valu
             return made(processes_.make_call(builtin, arguments));
         case Builtin::buffer:
             return made(buffer(arguments, span));
-        // Watchdogs are terms, so that they can be named and compared. Computing their transitions is an error.
+        // Watchdogs are terms, so scripts can name and compare them. But the checker cannot compute their transitions.
         case Builtin::failure_watchdog:
         case Builtin::trace_watchdog: {
             process::Term result{Op::compress, compression(which), {processes_.term_of(arguments[0], span)}, {}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the predefined functions (FDR manual, chapter CSPM, Built-In Definitions). It excludes the functions that
-// evaluate their arguments only as far as they need them (takes_by_need, ByNeed::call).
+// Implements predefined functions (FDR manual, chapter CSPM, Built-In Definitions). ByNeed::call implements the others,
+// which evaluate an argument only as far as they need it (takes_by_need).
 #pragma once
 
 #include "checker/cspm/eval/process_terms.hpp"

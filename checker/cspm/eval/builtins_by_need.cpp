@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the built-ins that evaluate their arguments only as far as they need them, which are functions on
-// sequences and maps (FDR manual, chapter CSPM, Built-In Definitions).
+// Implements the built-ins on sequences and maps (FDR manual, chapter CSPM, Built-In Definitions). They evaluate their
+// arguments only as far as they need them.
 #include <algorithm>
 
 #include "checker/cspm/eval/by_need.hpp"
@@ -23,7 +23,7 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
     if (!takes_by_need(which)) {
         if ((which == Builtin::inter || which == Builtin::diff) && arguments.size() == 2) {
             const Value first = values_.share_value(values_.evaluated_value(arguments[0]));
-            if (first->kind == Kind::set && first->items.empty()) return first;  // the second set has no effect
+            if (first->kind == Kind::set && first->items.empty()) return first;  // the result is {} for any second set
             arguments[0] = first;
         }
         for (Value& argument : arguments) argument = values_.share_value(values_.evaluate_in_place(argument));

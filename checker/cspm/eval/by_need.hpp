@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates sequences and maps on demand: streams, comparisons of values, and the built-ins that evaluate their
-// arguments by need.
+// Evaluates sequences and maps only as far as needed. Contains streams, comparisons of values, and the built-ins that
+// need only parts of their arguments.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace robochart::cspm {
 
 class Evaluator;
 
-/// Owns the comprehensions that compute the remaining elements of streams. Functions report errors through
-/// `Work::fail`, at the place that they receive as an argument.
+/// Evaluates sequences and maps by need. Owns the comprehensions that produce the elements of streams. A function that
+/// fails calls `Work::fail` with the place that it got as an argument.
 class ByNeed {
 public:
     /// The first element of a sequence, and the sequence of the remaining elements.
@@ -50,15 +50,15 @@ public:
     // The following functions are in streams.cpp.
     /// Returns `first ^ rest`, where `rest` may be unevaluated.
     Value append(Value first, Value rest);
-    /// Returns the sequence that begins with `first` and continues with the elements that the comprehension makes from
-    /// the elements of `source`. `frame` contains the variables of the enclosing scope.
+    /// Returns a sequence that starts with `first`. The comprehension produces its other elements from the elements of
+    /// `source`. `frame` contains the variables of the enclosing scope.
     Value make_stream(Value first, Value source, Comprehension of, const Values& frame);
     /// Splits a sequence after its first element. Returns no value if the sequence is empty.
     std::optional<Cut> split_first(Value sequence, Span span);
-    /// Returns the sequence with all its elements in `items`.
+    /// Returns the sequence with all its elements stored in `items`.
     Value written_out(Value sequence, Span span);
-    /// Returns a finite sequence with all its elements. For an infinite sequence, returns the stream, in which only
-    /// elements may be unevaluated.
+    /// Returns a finite sequence with all its elements. Returns an infinite sequence as a stream. Only the elements of
+    /// this stream may be unevaluated.
     Value share_stream(Value value);
     /// Compares tuples, sequences and maps part by part, up to the first difference.
     bool are_equal(Value a, Value b, Span span);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates functions, constants and the groups of a let, and matches patterns.
+// Evaluates functions, constants and the members of a let. Matches patterns.
 #include <algorithm>
 
 #include "checker/cspm/eval/evaluator.hpp"
@@ -38,11 +38,11 @@ Value Evaluator::call(Value function, Values arguments, Span span) {
     return result;
 }
 
-/// Reports a call to the observer, with those arguments that are numbers and have already been evaluated.
+/// Reports a call to the observer. Of the arguments, only numbers that are already evaluated are included.
 void Evaluator::report_call(const Function& function, const Values& arguments, Value result, Span span) {
     if (function.watched < 0) function.watched = observer_.functions.contains(function.name) ? 1 : 0;
     if (function.watched == 0) return;
-    // Unevaluated arguments are not reported, because they may have no value.
+    // The observer must not evaluate an argument: its evaluation could fail or never end.
     const auto number = [](Value value) -> std::optional<std::int64_t> {
         if (value->kind == Kind::thunk) value = static_cast<const Thunk&>(*value).result;
         if (value == nullptr || value->kind != Kind::integer) return std::nullopt;
@@ -138,7 +138,7 @@ Value Evaluator::member_value(const GroupObject& group, int index, Span span) {
         try {
             value = share_value(value);
         } catch (const EvaluationError&) {
-            return value;  // a part could not be evaluated; the value is evaluated again when it is needed
+            return value;  // some part failed; the member is evaluated again when it is needed
         }
     }
     group.known[at] = value;
@@ -170,7 +170,7 @@ Value Evaluator::global_value(int index, Span span) {
     if (value->shared) return global.known = value;
     try {
         return global.known = share_value(value);
-    } catch (const EvaluationError&) {  // a part cannot be evaluated, but the other parts may suffice
+    } catch (const EvaluationError&) {  // some part failed, but the script may need only the others
     }
     global.lazily_entry = work_.question();
     return global.lazily = value;
@@ -252,8 +252,8 @@ bool Evaluator::match_pattern(const MatchCode& pattern, Value& value, Frame& fra
 
 namespace {
 
-// Collects the parts of p ^ q ^ r. Patterns of sequences have a fixed length. At most one other part is allowed; it
-// matches the rest.
+// Collects the parts of p ^ q ^ r. At most one part has no fixed length; it matches the rest of the sequence. All other
+// parts are patterns <x, y, ...>.
 void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts) {
     if (pattern.kind != PatternKind::concat) return parts.push_back(&pattern);
     for (const MatchCode& arg : pattern.args) concat_parts(arg, parts);
@@ -261,8 +261,8 @@ void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts
 
 }  // namespace
 
-// Matches patterns such as <x, y> ^ rest by removing elements from the front of a sequence. A pattern for finite
-// sequences does not match an infinite one.
+// Matches a pattern such as <x, y> ^ rest: removes elements from the front of the sequence. If no part matches the
+// rest, the sequence must end there, so an infinite sequence does not match.
 bool Evaluator::match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
     for (const MatchCode* part : parts) {
         if (part->kind != PatternKind::sequence) return match_pattern(*part, value, frame);
@@ -314,8 +314,8 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
 
 namespace {
 
-// Returns the number of fields that a part of a dot pattern matches. The last part is an exception: it matches the
-// rest.
+// Returns the number of fields that a part of a dot pattern matches. Does not apply to the last part, which matches all
+// remaining fields.
 std::size_t fields_taken(const MatchCode& pattern) {
     if (pattern.kind == PatternKind::both)
         return std::max(fields_taken(pattern.args[0]), fields_taken(pattern.args[1]));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the code that expressions are compiled to. In code, names are resolved to frame slots, members of a let,
-// global definitions, constructors or built-ins, so that evaluation never looks up a name.
+// Defines the code to which expressions are compiled. A name in code is an index: of a frame slot, a member of a let, a
+// global definition, a constructor or a built-in. So evaluation never looks up a name.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace robochart::cspm {
 
-/// A piece of code with one frame of variables: a function's clause, a constant, a prefix, or the environment of a let.
+/// Code that has its own frame of variables: a function's clause, a constant, a prefix, or the environment of a let.
 struct Unit {
     Unit* parent = nullptr;
     const Group* group = nullptr;               ///< the let whose environment this unit represents
@@ -28,8 +28,8 @@ struct Unit {
 
 struct MatchCode {
     PatternKind kind = PatternKind::wildcard;
-    /// For a name: true if it is a constructor or channel with index `number`; false if it is a variable with slot
-    /// `number`.
+    /// Meaning of a name: true for a constructor or channel, whose index is `number`; false for a variable, whose slot
+    /// is `number`.
     bool head = false;
     std::int64_t number = 0;
     std::vector<MatchCode> args;
@@ -75,8 +75,8 @@ struct Code {
     const Function* function = nullptr;    ///< of a lambda
     const Group* group = nullptr;          ///< of a let
     TimedSection* timed = nullptr;         ///< the timed section that contains the code
-    std::uint32_t number = 0;              ///< of a prefix: its identity
-    mutable std::uint8_t too_long = 0;     ///< how often its early evaluation was abandoned (see Evaluator)
+    std::uint32_t number = 0;              ///< of a prefix: identifies its place in the script
+    mutable std::uint8_t too_long = 0;     ///< how many early evaluations took too long (Evaluator)
 };
 
 struct FunctionClause {
@@ -92,13 +92,13 @@ struct Function {
     Span span;
     std::vector<std::size_t> groups;  ///< number of arguments in each group
     std::vector<FunctionClause> clauses;
-    std::vector<bool> unread;          ///< only for a single group: whether an argument is never read
-    std::size_t environment = 0;       ///< number of captured items, which come before the arguments
-    mutable std::int8_t watched = -1;  ///< 1 if calls are observed, 0 if not, -1 if unknown
-    mutable std::int8_t process = -1;  ///< 1 if the result is obviously a process, otherwise 0; -1 if unknown
+    std::vector<bool> unread;          ///< whether each argument is never read; empty if there are several groups
+    std::size_t environment = 0;       ///< number of captured items, which precede the arguments
+    mutable std::int8_t watched = -1;  ///< 1: calls are observed; 0: they are not; -1: not yet known
+    mutable std::int8_t process = -1;  ///< 1: the result is obviously a process; 0: it is not; -1: not yet known
 };
 
-/// A member of a let: a function, a constant, or one of the variables of a constant whose left side is a pattern.
+/// A member of a let: a function, a constant, or a variable that a pattern on the left side of a constant binds.
 struct Member {
     Function function;
     int component_of = -1;  ///< for a variable of a pattern: the index of the constant member
@@ -115,7 +115,7 @@ struct Head {
     std::string name;  ///< qualified, as printed
     Span span;
     bool channel = false;
-    int type = -1;  ///< for constructors: the global of their datatype
+    int type = -1;  ///< for a constructor: index of its datatype in `globals`
     const Code* fields_code = nullptr;
     Unit* unit = nullptr;
     bool evaluated = false;
@@ -126,14 +126,14 @@ struct Head {
 enum class GlobalKind : std::uint8_t { function, component, datatype, subtype, nametype };
 struct Global {
     GlobalKind kind = GlobalKind::function;
-    Function function;  ///< not used by subtypes; for a nametype: a constant
+    Function function;  ///< unused for a subtype; a constant for a nametype
     int component_of = -1;
     int component_slot = -1;
     std::vector<int> heads;                            ///< datatype
     std::vector<std::pair<int, const Code*>> subtype;  ///< heads with their fields
     Value known = nullptr;
-    Value lazily = nullptr;          ///< the value, if one of its parts cannot be evaluated
-    std::uint64_t lazily_entry = 0;  ///< number of the query in which `lazily` is valid
+    Value lazily = nullptr;          ///< a value with a part that failed; valid in one query
+    std::uint64_t lazily_entry = 0;  ///< the query in which `lazily` is valid
     bool running = false;
 };
 

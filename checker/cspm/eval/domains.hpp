@@ -16,8 +16,8 @@
 
 namespace robochart::cspm {
 
-/// Computes with values that are already evaluated. It only evaluates the types in declarations, when they are first
-/// used. It caches elements of sets, extensions, productions and events.
+/// Computes with evaluated values. The types in declarations are an exception: it evaluates them on first use. Caches
+/// the elements of sets, extensions, productions and events.
 class Domains {
 public:
     /// A function that evaluates a type expression of a declaration.
@@ -54,8 +54,8 @@ public:
     Value type_set(Value type, Span span);
     /// Returns base.more: appends the fields of `more` to `base`, which lacks them.
     Value append_fields(Value base, Value more, Span span);
-    /// Appends to `out` the fields of `whole` after those of `part`, innermost first. Returns false if `whole` does not
-    /// begin with `part`.
+    /// Appends to `out` the fields that `whole` has after those of `part`; the rest of a nested field comes first.
+    /// Returns false if `whole` does not begin with `part`.
     bool append_fields_after(Value whole, Value part, Values& out);
     Value extensions(Value value);
     Value one_field_extensions(Value value);

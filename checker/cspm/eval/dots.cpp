@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes with dotted values: channels and constructors with their fields, their extensions, and events. If the first
-// item of a dot is a head, the other items are the head's fields. Each field is a complete value, except possibly the
-// last. Any other dot is a plain list of values. (FDR manual: dots, extensions, productions.)
+// Computes with dotted values: channels and constructors with their fields, their extensions, and events. If a dot
+// begins with a head (a channel or constructor), its other items are the fields of the head. Only the last field may be
+// incomplete. Any other dot is a plain list of values. (FDR manual: dots, extensions, productions.)
 #include <algorithm>
 
 #include "checker/cspm/eval/domains.hpp"
@@ -41,7 +41,7 @@ const Values& Domains::fields_of(int index) {
     return head.fields;
 }
 
-// Converts a type expression to one set for each field. A.B gives two sets; (A,B) gives one set of pairs.
+// Converts a type expression to one set for each field: two sets for A.B, but one set of pairs for (A,B).
 Values Domains::type_fields(Value type, Span span) {
     if (type->kind == Kind::dot && !is_named(type)) {
         Values result;
@@ -141,8 +141,8 @@ Value Domains::add_field(Value base, Value field, Span span) {
 
 // ---------------------------------------------------------------- extensions
 
-// Appends to `out` the fields of `whole` after those of `part`, innermost first. Returns false if `whole` does not
-// begin with `part`.
+// Appends to `out` the fields that `whole` has after those of `part`; the rest of a nested field comes first. Returns
+// false if `whole` does not begin with `part`.
 bool Domains::append_fields_after(Value whole, Value part, Values& out) {
     if (whole == part) return true;
     if (!is_named(whole) || !is_named(part) || whole->items[0] != part->items[0]) return false;
@@ -161,8 +161,8 @@ bool Domains::append_fields_after(Value whole, Value part, Values& out) {
     return true;
 }
 
-// Returns one set for each field that a named dot still lacks. The first set completes the last present field if
-// necessary.
+// Returns one set for each field that the channel or constructor still needs. If the last present field is incomplete,
+// the first set contains its completions.
 Values Domains::missing_fields(Value value) {
     const Values& fields = fields_of(head_of(value));
     const std::size_t count = value->items.size() - 1;
@@ -195,7 +195,7 @@ Value Domains::extensions(Value value) {
     return result;
 }
 
-// Returns the values of ?x in the middle of a prefix: the values of one field of the innermost incomplete value.
+// Returns the values of ?x before other fields of a prefix: it matches one field of the innermost incomplete value.
 Value Domains::one_field_extensions(Value value) {
     const Value nothing = store_.set({store_.dot({})});
     if (!is_named(value) || is_complete(value)) return nothing;

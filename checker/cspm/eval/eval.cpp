@@ -117,7 +117,7 @@ Value Evaluator::evaluate_in_place(Value& value) {
     return value;
 }
 
-// Evaluates an argument at once if the evaluation is cheap and cannot fail. Otherwise returns a thunk.
+// Returns the argument's value if it is a constant, a variable or a lambda. Otherwise returns a thunk.
 Value Evaluator::delay_argument(const Code& code, Frame& frame) {
     if (code.constant != nullptr) return code.constant;
     if (code.kind == ExprKind::name && code.reference == Reference::local)
@@ -126,9 +126,9 @@ Value Evaluator::delay_argument(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// Evaluates a part of a value early, but only if this takes little work: the part may never be needed. If the work
-// limit is reached, the evaluations in progress are completed with unevaluated parts. If that also takes too long, the
-// whole part stays unevaluated.
+// Evaluates a part of a value early. The part may never be needed, so the work is limited. After the first limit,
+// nothing further is evaluated early, but the current evaluations continue. After twice as much work, the whole part
+// stays unevaluated.
 Value Evaluator::promise_part(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
     if (code.constant != nullptr) return code.constant;
@@ -399,8 +399,8 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
 }
 
-// Evaluates a comprehension. Elements are evaluated early until an evaluation fails; the rest stays unevaluated. If the
-// sequence is infinite, all of it stays unevaluated.
+// Evaluates a comprehension. Evaluates its elements early until an evaluation fails, and leaves the rest unevaluated.
+// Leaves all elements unevaluated if the sequence is infinite.
 Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     std::size_t first = 0;
     for (; first < code.clauses.size() && !code.clauses[first].generator; ++first)

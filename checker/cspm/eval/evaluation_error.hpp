@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the only type of exceptions that the evaluator throws for errors in a script.
+// Defines the exception for errors in a script. The evaluator throws no other type for them.
 #pragma once
 
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates code to values. The results are those of FDR's lazy evaluator: parts of tuples, sequences and maps that are
-// never needed may have no value. This evaluator nevertheless tries to evaluate such parts at once, within a limit on
-// work. They stay unevaluated only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
+// Evaluates code to values. The results are those of FDR's lazy evaluator: an unneeded part of a tuple, sequence or map
+// may have no value. Unlike FDR, this evaluator first tries to evaluate such a part at once, with limited work. The
+// part stays unevaluated only if this attempt fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
 //
 // Every class uses only the classes that this list names before it, except the last three. ValueStore owns the values.
 // Work owns the call stack and the step counter. ProcessShape decides which expressions are obviously processes.
@@ -37,7 +37,7 @@ namespace robochart::cspm {
 
 class ProcessEvaluator;
 
-/// Evaluates expressions, lazily if this can change the result. Contains the entry points for a script.
+/// Evaluates expressions. Delays evaluation only if this can change the result. Has the entry points for a script.
 class Evaluator {
 public:
     Evaluator(Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms);
@@ -55,8 +55,8 @@ public:
     [[nodiscard]] std::optional<EvaluationError> take_stopped() { return work_.take_stopped(); }
     /// Sets the observer of calls of some functions. It must be called before anything is evaluated.
     void set_observer(CallObserver observer) { observer_ = std::move(observer); }
-    /// Returns the place of the definition that a call (process::Op::call) calls. The place is unknown for built-in
-    /// functions.
+    /// Returns the place of the definition that is called by `call` (payload of process::Op::call). Unknown for
+    /// built-in functions.
     [[nodiscard]] Span place_of_call(std::uint32_t call) const { return processes_.place_of_call(call); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
@@ -64,7 +64,7 @@ public:
     /// Returns all events of the script's channels. Returns no value if there are more than `most`.
     [[nodiscard]] std::optional<process::EventSet> all_events(std::uint64_t most);
     [[nodiscard]] std::vector<process::Event> trace(const Code& code, const Unit& unit);
-    /// Returns `term` with tau prioritised over the events, as by `:[tau priority]`.
+    /// Returns `term` with taus prioritised over the events: the meaning of `:[tau priority]`.
     [[nodiscard]] process::TermId tau_priority(process::TermId term, process::EventSet over);
 
     /// The parts of the evaluator, for code that evaluates processes in another way (checker/cspm/packed).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates prefixes. A prefix is one term for each place in the script and each tuple of values that are used there.
-// Its events are computed on demand.
+// Evaluates prefixes. The place in the script and the values of the used variables identify the term of a prefix. The
+// events of a prefix are computed on demand.
 #include <algorithm>
 
 #include "checker/cspm/eval/process_evaluator.hpp"
@@ -23,7 +23,7 @@ TermId ProcessEvaluator::process_prefix(const Code& code, Frame& frame) {
         work_.fail("a $ field stands before all ? and ! fields", code.span);
     }
     if (last == code.fields.begin()) return processes_.make_prefix(PrefixKind::script, std::move(key));
-    // A prefix c$x -> P is the choice |~| x @ c.x -> P.
+    // c$x -> P means |~| x @ c.x -> P
     Frame inside(static_cast<std::size_t>(code.unit->size), nullptr);
     for (std::size_t i = 0; i < code.unit->captures.size(); ++i) {
         inside[static_cast<std::size_t>(code.unit->captures[i].second)] = key[i + 1];
@@ -34,7 +34,7 @@ TermId ProcessEvaluator::process_prefix(const Code& code, Frame& frame) {
     return processes_.make_operator(Op::internal_choice, std::move(choices));
 }
 
-// Chooses the values of the $ fields, which are chosen first. Each choice gives a separate prefix.
+// Chooses values for the $ fields before any other field. Each choice gives a separate prefix.
 void ProcessEvaluator::choose_fields(const Code& code, std::size_t field, Value base, Frame& frame,
                                      std::vector<TermId>& out) {
     if (field < code.fields.size() && code.fields[field].kind == FieldKind::nondeterministic) {
@@ -121,8 +121,8 @@ std::vector<Branch> ProcessEvaluator::chosen_branches(Value key) {
     return result;
 }
 
-// Returns the branches of BUFFER(n, pairs) with its contents. If it contains less than n elements, it accepts any
-// input. If it is not empty, it offers the output of its oldest element (FDR manual, BUFFER).
+// Returns the branches of BUFFER(n, pairs) in its current state. The buffer accepts any input while it contains fewer
+// than n elements. It offers the output of the oldest element unless it is empty (FDR manual, BUFFER).
 std::vector<Branch> ProcessEvaluator::buffer_branches(Value key) {
     const Value bound = key->items[0];
     const Value pairs = key->items[1];

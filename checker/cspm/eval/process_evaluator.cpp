@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the functions that the search calls: they return the body of a call and the branches of a prefix.
+// Implements the two functions that a search calls. They return the body of a call and the branches of a prefix.
 #include "checker/cspm/eval/process_evaluator.hpp"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ std::string ProcessEvaluator::describe_call(std::uint32_t call) const {
     for (std::size_t i = 1; i < key->items.size(); ++i) {
         result += i == 1 ? "(" : ",";
         const bool unread = definition != nullptr && i <= definition->unread.size() && definition->unread[i - 1];
-        result += unread ? "_" : text_(key->items[i]);  // all values are equivalent (process_terms.cpp)
+        result += unread ? "_" : text_(key->items[i]);  // the value of this argument has no effect (process_terms.cpp)
     }
     return result + ")";
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates expressions that denote processes. Processes are built lazily: the term of a call or prefix contains only
-// its name and its values (process_terms.hpp). The term is evaluated only when the search needs its transitions
-// (process/term.hpp, Definitions).
+// Evaluates expressions that denote processes. The term of a call or prefix contains only its name and its values
+// (process_terms.hpp). Its body is not evaluated before the search needs its transitions (process/term.hpp,
+// Definitions). This makes recursive processes finite terms.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Examines the forms of expressions, and of the bodies of the functions that they call.
+// Decides by the form of an expression, and of the functions that it calls, whether it denotes a process.
 #include "checker/cspm/eval/process_shape.hpp"
 
 #include <algorithm>
@@ -10,11 +10,11 @@ namespace robochart::cspm {
 
 bool ProcessShape::makes_process(const Function& function) {
     if (function.process >= 0) return function.process == 1;
-    function.process = 0;  // so the answer for a recursion without another branch is no
+    function.process = 0;  // a recursive call during this query finds 0
     ++open_;
     const bool result = std::ranges::any_of(
         function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });
-    // A negative answer may depend on an outer query that is not yet answered. In this case it is not stored.
+    // While an outer query is open, a recursive call may have caused a negative answer. Such an answer is not stored.
     const bool open = --open_ > 0;
     if (result)
         function.process = 1;

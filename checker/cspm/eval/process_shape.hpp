@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides by the form of an expression whether it denotes a process. A call or constant that denotes a process is not
-// evaluated, even if it is passed as an argument: it becomes a term that contains only its name and arguments.
+// Decides by the form of an expression whether it denotes a process. The evaluator does not evaluate a call or constant
+// that denotes a process, even as an argument. It creates a term that contains only the name and the arguments.
 #pragma once
 
 #include "checker/cspm/eval/code.hpp"
 
 namespace robochart::cspm {
 
-/// Decides which expressions denote processes. The functions store the answers (Function::process). The object itself
-/// stores only the depth of the current query.
+/// Decides which expressions denote processes. Function::process caches the answers. The object itself stores only how
+/// many queries are nested.
 class ProcessShape {
 public:
     explicit ProcessShape(const Program& program) : program_(program) {}

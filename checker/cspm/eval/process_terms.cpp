@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creates the terms of calls and prefixes. They are numbered by their keys.
+// Creates the terms of calls and prefixes. Equal keys give the same term.
 #include "checker/cspm/eval/process_terms.hpp"
 
 #include <algorithm>
@@ -47,8 +47,8 @@ TermId ProcessTerms::make_wait(process::Event tock, std::int64_t ticks, TermId t
     return make_prefix(PrefixKind::waiting, {store_.integer(tock), store_.integer(ticks), target});
 }
 
-// Returns the term of a call. Arguments that the definition does not read are ignored, so calls that differ only in
-// them are one process.
+// Returns the term of a call. An argument that the definition never reads is replaced by a fixed value. So calls that
+// differ only in such arguments are one process.
 TermId ProcessTerms::make_call(Value function, const Values& arguments) {
     Values key{function};
     key.insert(key.end(), arguments.begin(), arguments.end());

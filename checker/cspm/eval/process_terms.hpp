@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents processes as terms. A call is identified by its function and arguments, and a prefix by its place in the
-// script and the values that it uses. Both are evaluated only when the search needs them (evaluator.hpp).
+// Represents processes as terms. The function and its arguments identify a call. The place in the script and the used
+// values identify a prefix. Both are evaluated only when the search needs them (evaluator.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace robochart::cspm {
 
-/// The character that replaces every argument that the definition does not read.
+/// Replaces every argument that the definition never reads.
 inline constexpr std::int64_t unread_character = '_';
 
 enum class PrefixKind : std::uint8_t { script = 2, chosen = 3, waiting = 4, stopped = 5, skipping = 6, buffer = 7 };

@@ -65,8 +65,8 @@ TermId ProcessEvaluator::process(const Code& code, Frame& frame) {
     return processes_.term_of(values_.eval(code, frame), code.span);
 }
 
-// Evaluates a name. A constant that denotes a process is not evaluated, so that recursion ends: it becomes a term that
-// contains only its name.
+// Evaluates a name. A constant that denotes a process becomes a term with only its name. If its definition were
+// evaluated here, recursive processes would not end.
 TermId ProcessEvaluator::process_name(const Code& code, Frame& frame) {
     if (code.reference == Reference::member) {
         const auto& group = static_cast<const GroupObject&>(*frame[static_cast<std::size_t>(code.slot)]);
@@ -94,8 +94,8 @@ TermId ProcessEvaluator::process_apply(const Code& code, Frame& frame) {
         for (std::size_t i = 1; i < code.args.size(); ++i)
             arguments.push_back(values_.share_value(values_.eval(*code.args[i], frame)));
     } catch (const EvaluationError&) {
-        // The term of a process call contains the values of its arguments, so they must be evaluated. Other functions
-        // may not need all of their arguments.
+        // A process call needs the values of all its arguments for its term. Another function may ignore the argument
+        // that failed.
         if (shape_.makes_process(definition)) throw;
         return processes_.term_of(values_.eval_apply(code, frame), code.span);
     }
@@ -217,7 +217,7 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
                 result = processes_.make_term(Op::sequential, {operands[i], result});
             return result;
         }
-        // A parallel without operands is SKIP. In a timed section FDR uses STOP (libcspm, Evaluator).
+        // With no operands, the result is SKIP, or STOP in a timed section, as in FDR (libcspm, Evaluator).
         case ExprKind::replicated_interleave:
             if (none) return timed != nullptr ? processes_.make_stop(timed) : processes_.make_term(Op::skip);
             return processes_.make_operator(

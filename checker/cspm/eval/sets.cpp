@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes with sets. Explicit sets are sorted. Int, Proc, {n..}, Seq(S), Set(S) and Map(K,V) keep their form until
-// their elements are needed. If a set in a union cannot be listed, the union is stored as its parts. For sets of
-// numbers this form is unique: the union of {0..} and {1} has only the part {0..}.
+// their elements are needed. A union with a set that cannot be listed is stored as a list of parts. For sets of numbers
+// this list is unique: {0..} united with {1} has only the part {0..}.
 #include <algorithm>
 
 #include "checker/cspm/eval/domains.hpp"
@@ -103,7 +103,7 @@ std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
             return size_of(set->items[0], span) == 0 ? std::optional<std::uint64_t>(0) : std::nullopt;
         case Kind::datatype: {
             Global& global = program_.globals[static_cast<std::size_t>(set->number)];
-            if (global.running) return std::nullopt;  // the definition of the set uses the set itself
+            if (global.running) return std::nullopt;  // the set is defined by itself
             const Running running(global.running);
             std::uint64_t sum = 0;
             for (const int head : global.heads) {
@@ -173,7 +173,7 @@ Value Domains::make_union(const Values& sets, Span span) {
     }
     Value rest = store_.set(std::move(listed));
     Values others;
-    // The largest numbers come first, because each of them may extend a set {n..} downwards.
+    // In descending order, because each number may extend a set {n..} downwards by one.
     for (std::size_t at = rest->items.size(); at-- > 0;) {
         const Value item = rest->items[at];
         work_.count_step(span);
@@ -206,7 +206,7 @@ Value Domains::union_of_all(const Values& sets, Span span) {
     return result == nullptr ? rest : set_union(result, rest, span);
 }
 
-// Returns {from..} as a union without the listed numbers: the numbers between them and after them.
+// Returns the numbers from `from` on that are not in `taken`: a union of the numbers between them and {n..} after them.
 Value Domains::without_listed(std::int64_t from, const Values& taken, Span span) {
     std::int64_t next = from;
     Values between;
@@ -412,8 +412,8 @@ bool Domains::is_subset(Value a, Value b, Span span) {
     });
 }
 
-// Compares sets with different representations. If two sets of the same form cannot be listed, their components are
-// compared. A set of all sequences never equals a finite set.
+// Compares sets with different representations. If both sets have the same form and cannot be listed, compares their
+// components. A set of sequences is infinite, so it never equals a finite set.
 bool Domains::are_equal_sets(Value a, Value b, Span span) {
     if (a == b) return true;
     if (!is_set(a) || !is_set(b)) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluates sequences whose elements are not all stored: <n..>, comprehensions with unevaluated or infinitely many
-// elements, and concatenations. Their elements are computed one by one on demand (FDR evaluates sequences lazily).
+// elements, and concatenations. Each element is computed when it is needed (FDR evaluates sequences lazily).
 //
 // A stream has two items: a sequence of known elements, and a sequence for the elements after them. Without a
 // comprehension, the stream continues with the second sequence itself. With a comprehension, the second sequence is the
@@ -14,7 +14,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// The maximal number of elements that the search for a suitable element examines.
+/// Limits how many elements are skipped in the search for one that satisfies the conditions.
 constexpr std::size_t most_skipped = 200'000;
 constexpr std::int64_t joined = -1;
 
@@ -126,8 +126,8 @@ Value ByNeed::share_stream(Value value) {
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
-/// Returns true if the sequence contains the element. The element is evaluated when it is first compared, so it is not
-/// evaluated if the sequence is empty.
+/// Returns true if the sequence contains the element. Evaluates `element` only for the first comparison, so never if
+/// the sequence is empty.
 bool ByNeed::contains_element(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
         const std::optional<Cut> cut = split_first(sequence, span);

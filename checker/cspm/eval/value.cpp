@@ -118,7 +118,7 @@ void ValueStore::note_processes(Object& object) {
 }
 
 Value ValueStore::make(Kind kind, std::int64_t number, Values items, const Function* function, const Group* group) {
-    // A dot without a channel or constructor is a type A.B, whose sets keep their form.
+    // A dot that does not begin with a channel or constructor is a type A.B. The sets in it are not listed.
     const bool named = kind == Kind::dot && !items.empty() && items[0]->kind == Kind::head;
     if (named || kind == Kind::tuple || kind == Kind::sequence || kind == Kind::map)
         for (Value& item : items) item = form_as_part(item);
@@ -154,8 +154,8 @@ Value ValueStore::closure(const Function& function, Values items) {
 }
 
 Value ValueStore::compound(Kind kind, std::int64_t number, Values items) {
-    // A finite stream is not shared, although it equals the sequence of its elements. Only the evaluator converts it to
-    // that sequence, when it shares the value.
+    // A stream is never shared here: if it is finite, it equals a sequence. Only the evaluator can find this out, and
+    // then shares that sequence instead.
     bool shared = kind != Kind::stream;
     for (Value& item : items) {
         if (item->kind == Kind::thunk && static_cast<const Thunk&>(*item).result != nullptr)

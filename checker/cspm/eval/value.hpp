@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the values of CSPM's evaluator. Data are hash-consed: equal values are one object, so comparing two values
-// for equality compares pointers. Their order is structural and never depends on addresses. A function consists of a
-// definition and captured values. Unevaluated values (thunks), and values that capture or contain them, are temporary.
+// Defines the values of the evaluator for CSPM. Data are hash-consed: equal values are one object, so comparing
+// pointers decides equality. The order of values is structural and never depends on addresses. A function is a
+// definition with captured values. Thunks (unevaluated values) and values that contain or capture thunks are temporary.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,7 @@ enum class Kind : std::uint8_t {
 struct Object {
     Kind kind = Kind::integer;
     bool shared = false;  ///< hash-consed: contains only shared objects and lives as long as the store
-    /// For shared objects: true if their order depends on the order in which processes were created.
+    /// For shared objects: true if their order depends on when processes were created.
     bool made = false;
     std::uint32_t id = 0;
     std::int64_t number = 0;
@@ -63,7 +63,7 @@ struct Object {
 using Value = const Object*;
 using Values = std::vector<Value>;
 
-/// The values of the declarations of a `let` in one environment. They are stored in `known` when they are first needed.
+/// The environment of a `let`. The value of a declaration is stored in `known` when it is first needed.
 struct GroupObject : Object {
     mutable Values known;
     mutable std::vector<bool> running;
@@ -93,11 +93,11 @@ public:
 
     /// Sets the budget that long work polls. The budget must outlive the store.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
-    /// Sets the function that converts a set to the list of its elements, if this is possible. The store applies it to
-    /// sets that are parts of values, because equal values must be one object: `(Set({1}), 1)` and `({{}, {1}}, 1)` are
-    /// equal.
+    /// Sets the function that lists the elements of a set, if possible. The store applies it to sets inside other
+    /// values. So two equal values become one object even if a set in them is written in two ways: `(Set({1}), 1)`
+    /// equals `({{}, {1}}, 1)`.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
-    /// Returns the value in the form that it has inside other values: a set becomes the list of its elements, if
+    /// Returns the form that a value has inside other values. A set is replaced by the list of its elements, if
     /// possible.
     [[nodiscard]] Value form_as_part(Value value) const;
 
@@ -115,7 +115,7 @@ public:
     [[nodiscard]] Value make(Kind kind, std::int64_t number, Values items, const Function* function = nullptr,
                              const Group* group = nullptr);
 
-    // The following functions create and delete temporary objects, which are all deleted together.
+    // The following functions create temporary objects. All of these objects are deleted together.
     /// Creates a tuple, sequence or map, which is shared if its items are shared, or a stream, which is never shared.
     [[nodiscard]] Value compound(Kind kind, std::int64_t number, Values items);
     [[nodiscard]] Value closure(const Function& function, Values items);
@@ -125,7 +125,7 @@ public:
     [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
     /// Deletes all temporary objects. None of them may be in use.
     void delete_temporaries();
-    /// Returns true if, in some set, the order of the elements depends on the order in which processes were created.
+    /// Returns true if the elements of some set are ordered by the creation of processes.
     [[nodiscard]] bool orders_processes() const { return orders_processes_; }
     /// Returns the number of values that live as long as the store.
     [[nodiscard]] std::size_t size() const { return index_.size(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits the work of an evaluation: its call stack, its number of steps, and the steps of speculation.
+// Limits an evaluation: the depth of its calls, its steps, and its steps for values that may not be needed.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@
 
 namespace robochart::cspm {
 
-/// The maximal number of elements of a set that is listed.
+/// The maximal number of elements in an explicit set.
 inline constexpr std::size_t max_elements = 5'000'000;
 
-/// Thrown if the work limit of speculation is reached.
+/// Thrown if an early evaluation exceeds its limit (Speculation).
 struct GivenUp {};
 
 /// Owns the call stack and the counters.
@@ -36,10 +36,10 @@ public:
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     /// Counts one more step.
     void count_step(Span span);
-    /// Sets the place for errors that have no place of their own: the prefix whose events are being computed.
+    /// Sets the prefix whose events are being computed. Errors without a place are reported there.
     void at_prefix(Span span) { prefix_place_ = span; }
     [[noreturn]] void fail(const std::string& message, Span span) const;
-    /// If a limit of the budget has ended a long evaluation since the last call: its innermost call with a known place.
+    /// Returns the innermost call with a known place if a limit has ended a long evaluation since the last call.
     [[nodiscard]] std::optional<EvaluationError> take_stopped() { return std::exchange(stopped_, std::nullopt); }
     [[noreturn]] void not_supported(const std::string& what, Span span) const;
 
@@ -61,7 +61,7 @@ private:
         Span called;  ///< place of the call, if known; in generated scripts, a place in the model
     };
     static constexpr std::uint64_t no_end = ~std::uint64_t{0};
-    /// An evaluation with so many steps is the reason why a limit was reached.
+    /// If a limit stops an evaluation after this many steps, the evaluation is reported as the cause.
     static constexpr std::uint64_t many_steps = 50'000;
 
     [[nodiscard]] EvaluationError error_at(const std::string& message, Span span) const;
@@ -125,7 +125,7 @@ private:
     Work& work_;
 };
 
-/// Limits the work on a value that may not be needed. Nested objects share the limit of the outermost object.
+/// Limits the work on a value that may not be needed. The outermost object sets the limit, and nested objects share it.
 class Work::Speculation {
 public:
     explicit Speculation(Work& work) : work_(work), outermost_(work.given_up_at_ == no_end) {
@@ -146,8 +146,8 @@ private:
     bool outermost_;
 };
 
-/// Marks a thunk as being evaluated during its lifetime. The mark is removed even if an error ends the evaluation. So
-/// another attempt reports the same error again, and not that the value is defined by itself.
+/// Marks a value as being evaluated. The destructor removes the mark even if the evaluation fails. Otherwise a second
+/// attempt would report that the value is defined by itself, and not the original error.
 class Running {
 public:
     explicit Running(bool& flag) : flag_(flag) { flag_ = true; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes numbers as bytes: each byte contains seven bits, the lowest bits first. The highest bit of a byte is set if
-// another byte follows.
+// Encodes numbers as bytes. Each byte contains seven bits of the number, the lowest bits first. The highest bit of a
+// byte is set if further bytes of the number follow.
 #pragma once
 
 #include <cassert>
@@ -21,13 +21,13 @@ inline void put_number(std::uint64_t number, Bytes& out) {
     out.push_back(static_cast<std::uint8_t>(number));
 }
 
-/// Writes a signed number. Small negative numbers need as few bytes as small positive numbers.
+/// Writes a signed number. A negative number needs as few bytes as a positive one of similar size.
 inline void put_signed(std::int64_t number, Bytes& out) {
     const auto bits = static_cast<std::uint64_t>(number);
     put_number((bits << 1U) ^ (number < 0 ? ~std::uint64_t{0} : 0), out);
 }
 
-/// Reads numbers and bytes from a buffer, which may contain other data after them.
+/// Reads numbers and bytes from a buffer. The buffer may contain further data after them.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the bytes of process expressions. The bytes are the same as those that TermCodec writes for the terms of
-// eval/processes.cpp.
+// Writes the bytes of process expressions without creating their terms. TermCodec would write the same bytes for these
+// terms (eval/processes.cpp).
 #include <algorithm>
 
 #include "checker/cspm/packed/direct_steps.hpp"

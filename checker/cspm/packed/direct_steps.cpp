@@ -31,7 +31,7 @@ std::size_t place_of(Value value) {
 
 }  // namespace
 
-// Sorts steps in the same way as the function of the same name in firing_rules.cpp.
+// Sorts steps. Gives the same result as the function with this name in firing_rules.cpp.
 void PackedSteps::put_in_order(std::size_t first) {
     const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(first);
     const auto earlier = [](const Step& a, const Step& b) { return a.event < b.event; };
@@ -65,8 +65,8 @@ private:
     DirectSteps& owner_;
 };
 
-/// Limits the depth of calls that are unfolded without an event. Deeper calls are evaluated with terms; that evaluation
-/// detects unbounded recursion.
+/// Limits how many calls are unfolded before an event occurs. Deeper calls are evaluated with terms, because that
+/// evaluation detects recursion without an end.
 class DirectSteps::Nested {
 public:
     explicit Nested(DirectSteps& owner) : owner_(owner) {
@@ -102,7 +102,7 @@ bool DirectSteps::find(std::span<const std::uint8_t> bytes, PackedSteps& out) {
         unanswered_ = 0;
         return true;
     } catch (const NotDirect&) {
-    } catch (const EvaluationError&) {  // the evaluation with terms repeats the error and reports its place
+    } catch (const EvaluationError&) {  // the evaluation with terms will fail again and report the place
     }
     return false;
 }
@@ -230,13 +230,13 @@ void DirectSteps::row_rename(ByteReader& in) {
 
 // ---------------------------------------------------------------- operators (firing_rules.cpp)
 
-/// Rejects steps with tau: a tau of an operand does not resolve a choice, so such steps are computed with terms.
+/// Rejects steps with tau. A tau of an operand does not resolve a choice; only the rules for terms handle this.
 void DirectSteps::refuse_taus(std::size_t first) const {
     for (std::size_t i = first; i < out_->steps.size(); ++i)
         if (out_->steps[i].event == process::tau) throw NotDirect{};
 }
 
-/// Writes the operator before the target of the step. Returns the position of the first byte of the result.
+/// Writes the bytes of the operator, followed by the target of the step. Returns the position of the first byte.
 std::size_t DirectSteps::wrap_target(Op op, std::uint32_t part, const PackedSteps::Step& step) {
     Bytes& bytes = out_->bytes;
     const std::size_t begin = bytes.size();
@@ -498,7 +498,7 @@ void DirectSteps::input_parts(const Code& code, std::size_t field, std::size_t p
     }
 }
 
-// The results of both functions are cached. They depend only on values that outlive this object.
+// Both functions cache their results. A cached result depends only on values that outlive this object.
 
 Value DirectSteps::combine_dot(Value base, Value more, Span span) {
     Dotted& known = dotted_[(place_of(base) * 31 + place_of(more)) & 1023U];

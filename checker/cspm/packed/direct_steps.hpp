@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the steps of sequential processes directly from their bytes, without building terms.
+// Computes the steps of sequential processes from the bytes of a term, without building terms.
 //
-// It supports calls, conditions, prefixes, choices, sequential composition, hiding and renaming. Its rules are those of
+// Supports calls, conditions, prefixes, choices, sequential composition, hiding and renaming. Its rules copy those of
 // eval/processes.cpp, eval/prefixes.cpp and process/firing_rules.cpp, which define the meaning of processes. For all
 // other operators, and after any error, the caller must compute the steps with terms.
 #pragma once
@@ -42,13 +42,13 @@ public:
     Bytes bytes;
 };
 
-/// Computes steps. It reuses its buffers, so calls rarely allocate memory.
+/// Computes steps. Its buffers are used again for the next call, so most calls allocate no memory.
 class DirectSteps {
 public:
     DirectSteps(Evaluator& values, TermCodec& codec, PackedParts& parts);
 
-    /// Writes the steps of the term encoded in `row` to `out`, ordered by event. Events have the numbers of the
-    /// evaluator. Returns false if the steps must be computed with terms; `out` is then undefined.
+    /// Writes the steps of the term that `row` encodes to `out`, ordered by event. Events have the numbers of the
+    /// evaluator. If it returns false, `out` is undefined and the caller must compute the steps with terms.
     [[nodiscard]] bool find(std::span<const std::uint8_t> row, PackedSteps& out);
 
 private:
@@ -113,7 +113,7 @@ private:
     std::deque<Frame> frames_;
     std::size_t borrowed_ = 0;
     unsigned nested_ = 0;
-    unsigned unanswered_ = 0;  // number of consecutive failed calls; after 32 of them, most calls fail immediately
+    unsigned unanswered_ = 0;  // number of failed calls since the last success; from 32 on, most calls fail at once
     unsigned passed_ = 0;
     Value unread_;
     struct Dotted {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads a script for evaluation: its code, values, events and terms.
+// Loads a script for evaluation: its code, its values, its events and its terms.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace robochart::cspm {
 
-/// Owns the code of a script, its values and its terms. Definitions always get the same numbers if the same script is
-/// loaded and the same expressions are compiled in the same order.
+/// Owns the code of a script, its values and its terms. If the same script is loaded again and the same expressions are
+/// compiled in the same order, every definition gets the same number.
 class LoadedScript {
 public:
-    /// Compiles the script and polls the budget meanwhile. `whole_states`: see Session.
+    /// Compiles the script. Polls the budget while it does so. Session explains `whole_states`.
     LoadedScript(const Script& script, process::Compressor* compressor, diagnostics::Budget* budget, bool whole_states);
     LoadedScript(const LoadedScript&) = delete;
     LoadedScript& operator=(const LoadedScript&) = delete;
 
-    /// A compiled expression. Its scope is that of the script or of an assertion.
+    /// A compiled expression. Its names are resolved in the scope of the script or of an assertion.
     struct Ready {
         const Code* code = nullptr;
         const Unit* unit = nullptr;
@@ -34,8 +34,8 @@ public:
     };
     [[nodiscard]] Side compile_side(const ExprPtr& expr, const Decl& assertion);
     [[nodiscard]] process::TermId term_of(const Side& side);
-    /// Does the work and converts errors of the firing rules to evaluation errors, so that callers handle one type of
-    /// exception. The error is reported at the definition that causes it if it is known, otherwise at `span`.
+    /// Calls a function and converts errors of the firing rules to evaluation errors, so that callers handle one
+    /// exception. The error is reported at the definition that causes it if this is known, and otherwise at `span`.
     template <class Work>
     auto evaluated_at(Span span, const Work& work) {
         try {

@@ -4,8 +4,8 @@
 
 namespace robochart::cspm {
 
-/// Thrown if a term or a value has no packed form. The caller then searches the process as terms. It is not a
-/// std::exception, so that no handler takes it for an error of the process.
+/// Thrown if a term or a value has no packed form. The caller then searches the process as terms. This type does not
+/// derive from std::exception, so handlers of errors in processes do not catch it.
 struct NotPacked {
     const char* why;
 };

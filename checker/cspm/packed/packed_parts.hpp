@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers the sets of events, renamings and priority orders of packed terms. Packed terms contain these numbers, which
-// stay valid for the whole search. A term store that is created later numbers the same sets differently
-// (packed_processes.hpp).
+// Assigns numbers to the sets of events, the renamings and the priority orders in packed terms. Packed terms contain
+// these numbers. They stay valid for the whole search, but a term store that is created later numbers the same sets
+// differently (packed_processes.hpp).
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ class PackedParts {
 public:
     /// Sets the term store that the following calls use. Events must have the same numbers in all stores.
     void set_terms(process::TermStore& terms);
-    /// After this call, a set, renaming or order without a number causes NotPacked. This makes the rows of a search the
-    /// same in every run.
+    /// After this call, nothing gets a new number: a set, renaming or order without a number causes NotPacked. So the
+    /// rows of a search are the same in every run.
     void fix_numbers() { fixed_ = true; }
 
     [[nodiscard]] std::uint32_t number_of(process::SetId set);

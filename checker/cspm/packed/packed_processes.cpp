@@ -11,8 +11,8 @@ namespace robochart::cspm {
 
 namespace {
 
-/// Returns the script's own object for the assertion. The script identifies the scopes of its assertions by the
-/// addresses of these objects.
+/// Returns the object of the assertion that belongs to the script. The script finds the scope of an assertion by the
+/// address of this object.
 DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
     for (const DeclPtr& decl : assertions_in(script.decls))
         if (decl.get() == &assertion) return decl;
@@ -21,7 +21,7 @@ DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
 
 }  // namespace
 
-/// Rejects compressions, because a compressed operand would have to be explored again for each of its states.
+/// Rejects compressions: each state of a compressed operand would require another exploration of the operand.
 class PackedProcesses::NoCompressor final : public process::Compressor {
 public:
     std::optional<process::Machine> explore(process::TermId /*operand*/, process::Compression /*kind*/,
@@ -34,8 +34,8 @@ public:
     }
 };
 
-/// Keeps the table of the search equal to the table of the script: copies new events from one to the other at the
-/// beginning and at the end of its lifetime.
+/// Keeps the event table of the search equal to that of the script. New events are copied to the script by the
+/// constructor and to the search by the destructor.
 class PackedProcesses::SameEvents {
 public:
     SameEvents(process::EventTable& search, process::EventTable& script) : search_(search), script_(script) {
@@ -73,7 +73,7 @@ std::size_t PackedProcesses::add(const ExprPtr& expr, const Decl& assertion) {
     return asked_.size() - 1;
 }
 
-// Loads the script and compiles the sides, always in the same order, so that definitions always have the same numbers.
+// Loads the script and compiles the sides in the order of `asked_`, so that definitions always have the same numbers.
 void PackedProcesses::load_script() {
     direct_.reset();
     codec_.reset();
@@ -87,8 +87,8 @@ void PackedProcesses::load_script() {
     ++loads_;
 }
 
-/// Creates the codec. It must be called after each compilation, because the codec contains only the definitions that
-/// exist when it is created.
+/// Creates the codec. It contains only the definitions that exist at this time. So this function must be called after
+/// each compilation.
 void PackedProcesses::make_codec() {
     const Evaluator::Parts parts = loaded_->evaluator.parts();
     codec_ = std::make_unique<TermCodec>(parts.program, parts.store, parts.terms, parts.processes, parts_);
@@ -99,8 +99,8 @@ std::size_t PackedProcesses::kept_object_count() const {
     return loaded_->store.size() + loaded_->terms.size();
 }
 
-/// Drops all evaluated data if they are much more than the data of the first state. The data of the first state are
-/// mainly the constants of the script, which are needed again after every reload.
+/// Drops all evaluated data if they are much more than the data after the first state. The latter are mainly the
+/// constants of the script, and every reload evaluates these again.
 void PackedProcesses::forget_if_large() {
     const std::size_t now = kept_object_count();
     if (kept_at_start_ == 0) kept_at_start_ = now;
@@ -110,7 +110,7 @@ void PackedProcesses::forget_if_large() {
     loaded_.reset();
 }
 
-/// Loads the script if it is not loaded. This happens if a limit has stopped the previous attempt.
+/// Loads the script if it was dropped (forget_if_large), or if a limit stopped the previous attempt.
 void PackedProcesses::load_if_needed() {
     if (direct_ == nullptr) load_script();
 }
@@ -124,7 +124,7 @@ Bytes PackedProcesses::initial(std::size_t side) {
     return bytes;
 }
 
-// Examines the first states in breadth-first order, as a search does. Returns whether their steps can be computed
+// Examines the first states in breadth-first order, as a search does. Returns true if their steps can be computed
 // without terms.
 bool PackedProcesses::is_direct(std::size_t side) {
     constexpr std::size_t enough = 64;

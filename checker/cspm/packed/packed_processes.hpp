@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents the processes of a script by states that are stored as bytes (term_codec.hpp). Only these bytes are stored
-// permanently. The data that are evaluated for the steps of states are freed from time to time by loading the script
-// again.
+// Represents the states of a process as bytes (term_codec.hpp). Only these bytes are stored
+// permanently. Evaluating steps creates other data; to free them, the script is loaded again from time
+// to time.
 #pragma once
 
 #include <memory>
@@ -14,17 +14,17 @@
 
 namespace robochart::cspm {
 
-/// Owns a loaded script. The steps of a state depend only on its bytes and not on earlier calls. Events have the same
-/// numbers in the table of the search and in that of the script. Sets of processes have no packed form (NotPacked),
-/// because their order depends on the order in which the processes were created.
+/// Owns a loaded script. The steps of a state depend only on its bytes and not on earlier calls. The search and the
+/// script use the same event numbers. A set of processes has no packed form (NotPacked): its elements are ordered by
+/// the creation of the processes, which depends on earlier calls.
 class PackedProcesses {
 public:
     struct Settings {
         bool whole_states = false;  ///< see Session
-        /// The maximal number of stored values and terms besides those of the first state.
+        /// How many values and terms may be stored in addition to those of the first state.
         std::size_t most_kept = 400'000;
-        bool terms_alone = false;        ///< for tests: whether all steps are computed with terms
-        bool forget_each_state = false;  ///< for tests: whether the script is loaded again for each state
+        bool terms_alone = false;        ///< for tests: compute all steps with terms
+        bool forget_each_state = false;  ///< for tests: load the script again for each state
     };
     /// `events`: the event table of the searches.
     PackedProcesses(Script script, process::EventTable& events, const Settings& settings);
@@ -32,20 +32,20 @@ public:
     PackedProcesses(const PackedProcesses&) = delete;
     PackedProcesses& operator=(const PackedProcesses&) = delete;
 
-    /// Adds a process, which is one side of an assertion, and returns its number.
+    /// Adds a process and returns its number. The process is one side of the assertion.
     [[nodiscard]] std::size_t add(const ExprPtr& expr, const Decl& assertion);
 
-    /// After this call, no set, renaming or order gets a new number, because the number would depend on the order of
-    /// the search. A set, renaming or order without a number then causes NotPacked. So rows are the same in every run.
+    /// After this call, no set, renaming or order gets a new number, because this number would depend on the order of
+    /// the search. If one without a number occurs, NotPacked is thrown. So rows are the same in every run.
     void fix_parts() { parts_.fix_numbers(); }
 
     // The following functions throw EvaluationError, and NotPacked if a state has no packed form.
     [[nodiscard]] Bytes initial(std::size_t side);
-    /// Writes the steps of the state to `out`, ordered by event. Events have the numbers of the search. Errors whose
-    /// definition is unknown are reported at `span`.
+    /// Writes the steps of the state to `out`, ordered by event. Events have the numbers of the search. An error is
+    /// reported at `span` if the definition that causes it is unknown.
     void steps(std::span<const std::uint8_t> state, Span span, PackedSteps& out);
-    /// Returns the operands of a state that is an external choice, and an empty list for other states. `span` as in
-    /// `steps`.
+    /// Returns the operands if the state is an external choice, and an empty list otherwise. `span` has the same
+    /// meaning as in `steps`.
     [[nodiscard]] std::vector<Bytes> choice_operands(std::span<const std::uint8_t> state, Span span);
     [[nodiscard]] std::string describe(std::span<const std::uint8_t> state);
 

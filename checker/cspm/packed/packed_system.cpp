@@ -73,7 +73,7 @@ std::string PackedSystem::describe(lts::StateView state) const {
     return processes_->describe(bytes_of(state));
 }
 
-// Increases the width by at least one half, so that growing states restart the search only a few times.
+// Increases the width by at least one half, because each increase restarts the search.
 void PackedSystem::widen_rows() {
     constexpr std::size_t most_words = 256;
     if (needed_ <= width_) return;

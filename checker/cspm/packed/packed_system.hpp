@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a process that is not compiled available as a transition system of packed states. All rows have the same width:
-// a row contains the bytes of a term, followed by zeros. Two states have the same row only if they are the same term,
-// independently of earlier evaluations.
+// A process that is not compiled, as a transition system of packed states. All rows have the same width. A row
+// contains the bytes of a term and then zeros. Equal rows are equal terms, independently of earlier
+// evaluations.
 #pragma once
 
 #include <deque>
@@ -12,7 +12,7 @@
 
 namespace robochart::cspm {
 
-/// Thrown by a PackedSystem if a state needs more words than a row has. The caller must widen the rows and restart the
+/// Thrown by a PackedSystem if a state does not fit into a row. The caller must widen the rows and restart the
 /// search.
 struct RowsTooNarrow {};
 
@@ -29,7 +29,7 @@ public:
     void set_budget(diagnostics::Pollable& budget) override { processes_->set_budget(budget); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
 
-    /// Widens the rows so that the last state that did not fit fits. Throws NotPacked if that state is too large.
+    /// Widens the rows so that the last rejected state fits. Throws NotPacked if that state is too large.
     void widen_rows();
 
 private:
@@ -40,7 +40,7 @@ private:
     Span span_;
     std::size_t width_ = 2;
     std::size_t needed_ = 0;
-    /// The buffers for one call of `successors`. Calls can be nested, because a sink may ask for successors.
+    /// The buffers of one call of `successors`. A sink may call `successors` again, so each nested call needs its own.
     struct Workspace {
         PackedSteps steps;
         std::vector<lts::Word> row;

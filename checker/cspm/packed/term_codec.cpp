@@ -15,7 +15,7 @@ using process::TermId;
 
 namespace {
 
-// The first byte of a value is a small number, one of the kinds (from `first_kind` on), or one of the other constants.
+// The first byte of a value is a number up to `most_small`, a kind (counted from `first_kind`), or another constant.
 constexpr std::uint8_t first_kind = 0x80;
 constexpr std::uint8_t false_value = 0xC0;
 constexpr std::uint8_t true_value = 0xC1;
@@ -24,7 +24,7 @@ constexpr std::int64_t most_small = 0x7F;
 
 constexpr unsigned deepest = 1000;
 
-/// Limits the nesting of terms and values, because rows are written and read recursively.
+/// Limits how deep terms and values are nested, because reading and writing them is recursive.
 class Deeper {
 public:
     explicit Deeper(unsigned& depth) : depth_(depth) {
@@ -84,7 +84,7 @@ TermCodec::TermCodec(const Program& program, ValueStore& store, process::TermSto
                      PackedParts& parts)
     : program_(program), store_(store), terms_(terms), processes_(processes), parts_(parts) {
     const auto add = [this](const Function& function) {
-        // Only functions with clauses have numbers, which the index uses.
+        // Functions without clauses have no number, so the index cannot contain them.
         if (!function.clauses.empty()) put_at<const Function*>(functions_, function.number, &function);
     };
     for (const Global& global : program.globals)
@@ -130,8 +130,8 @@ void TermCodec::write(Value value, Bytes& out) {
     if (value->kind == Kind::function) put_number(value->function->number, out);
     if (value->kind == Kind::group) put_number(value->group->number, out);
     put_number(value->items.size(), out);
-    // The elements of a set and the keys of a map are sorted. Processes are sorted in the order of their creation, so a
-    // process inside such a value is rejected.
+    // Sets and the keys of maps are sorted. The order of processes depends on when they were created, so the bytes
+    // would too. Therefore a process inside such a value is rejected.
     const bool ordered = value->kind == Kind::set || value->kind == Kind::map || value->kind == Kind::united;
     if (ordered) ++inside_sets_;
     try {
@@ -237,7 +237,7 @@ TermId TermCodec::read_call(ByteReader& in) {
 
 // ---------------------------------------------------------------- prefixes
 
-/// Returns how many values the key of a prefix contains after its place in the script.
+/// Returns how many values follow the place in the key of a prefix.
 std::size_t TermCodec::values_of_prefix(PrefixKind kind, std::uint64_t place) const {
     switch (kind) {
         case PrefixKind::script:
@@ -255,8 +255,8 @@ std::size_t TermCodec::values_of_prefix(PrefixKind kind, std::uint64_t place) co
     throw NotPacked{"a prefix of no kind"};
 }
 
-// Writes a prefix. The first value of its key is its place in the script or the tock event; the key of a buffer
-// contains neither.
+// Writes a prefix. The first value of its key is its place in the script or the tock event. Only the key of a buffer
+// starts differently.
 void TermCodec::write_prefix(const process::Term& term, Bytes& out) {
     const auto [kind, key] = processes_.prefix_key(term.payload);
     begin_operator(Op::prefix, out);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes process terms as bytes that depend only on their contents. Equal terms have equal bytes and different terms
-// have different bytes, independently of the order in which terms and values were created. The encoding of a term
-// determines where it ends, so zeros may follow it in a row.
+// Encodes process terms as bytes that depend only on their contents, and not on the order in which terms and values
+// were created. Two terms have the same bytes only if they are equal. A reader finds the end of a term without further
+// data, so zeros may follow it in a row.
 //
 // A call is encoded as its definition and arguments, and a prefix as its place in the script and the values that it
-// uses. Other operators are written before their operands. The resolver assigns the numbers of definitions and places,
-// so they are the same whenever the same script is loaded. Sets of events and renamings are written as numbers
+// uses. Other operators are written before their operands. The resolver numbers definitions and places, so loading
+// the same script again gives the same numbers. Sets of events and renamings are written as numbers
 // (packed_parts.hpp).
 #pragma once
 
@@ -20,34 +20,34 @@
 namespace robochart::cspm {
 
 /// Writes and reads the terms and values of one store. Throws NotPacked for terms and values without a packed form:
-/// compressions and their states, infinite sequences, and sets of processes, whose order depends on the order in which
-/// the processes were created.
+/// compressions and their states, infinite sequences, and sets of processes. The order of such sets depends on when the
+/// processes were created.
 class TermCodec {
 public:
-    /// Creates a codec. All expressions must have been compiled before.
+    /// Creates a codec. It knows only expressions that have been compiled before.
     TermCodec(const Program& program, ValueStore& store, process::TermStore& terms, ProcessTerms& processes,
               PackedParts& parts);
 
     void write(process::TermId term, Bytes& out);
     [[nodiscard]] process::TermId read(ByteReader& in);
-    /// Writes a value, which must be shared (Value in eval/value.hpp).
+    /// Writes a shared value (Object::shared in eval/value.hpp).
     void write(Value value, Bytes& out);
     [[nodiscard]] Value read_value(ByteReader& in);
     /// Skips a term without creating it.
     void skip(ByteReader& in);
 
     // The following functions read and write the parts of calls and prefixes without creating terms.
-    /// How many values the function has already received, and how many arguments its last group has.
+    /// The number of values that the function already has, and the number of arguments in its last group.
     struct CallShape {
         std::size_t given;
         std::size_t arguments;
     };
     [[nodiscard]] static CallShape shape(const Function& function);
-    /// Writes the beginning of a call. The caller must then write the values: first those that the function has already
-    /// received, then the arguments.
+    /// Writes the beginning of a call. After it, the caller must write the values that the function already has, and
+    /// then the arguments.
     static void begin_call(const Function& function, Bytes& out);
-    /// Reads the function of a call. The operator must have been read before. Returns null if the call has another
-    /// form, which only `read` supports.
+    /// Reads the function of a call whose operator byte has been read. Returns null for calls of any other form; only
+    /// `read` supports them.
     [[nodiscard]] const Function* call_head(ByteReader& in) const;
     static void begin_operator(process::Op op, Bytes& out) { out.push_back(static_cast<std::uint8_t>(op)); }
 

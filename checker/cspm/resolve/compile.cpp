@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contains the second half of the resolver, which converts expressions and patterns to code.
+// The second part of the resolver: converts expressions and patterns to code.
 #include <algorithm>
 #include <utility>
 
@@ -52,9 +52,9 @@ const Code* Resolver::compile(const ExprPtr& expr) {
     }
 }
 
-// Returns true if the choice is `[] e : S @ e -> P`, which is compiled as one prefix with many events and not as a
-// choice of many prefixes. In a timed section, the choice synchronises all its operands on tock, so it is compiled as a
-// choice.
+// Returns true if the choice is `[] e : S @ e -> P`. It is compiled as a single prefix with many
+// events. In a timed section it remains a choice, because there all operands of a choice synchronise on
+// tock.
 bool Resolver::offers_events(const Expr& choice) const {
     const Expr& body = *choice.args[0];
     if (timed_ != nullptr || choice.clauses.size() != 1 || body.kind != ExprKind::prefix) return false;
@@ -101,7 +101,7 @@ std::vector<ClauseCode> Resolver::compile_clauses(const std::vector<Clause>& cla
 
 namespace {
 
-// Returns true if an argument is outside the scope of the clauses. Such arguments are the first process of a renaming,
+// Returns true if the clauses do not bind variables in this argument. Such arguments are the process of a renaming,
 // both processes of a linked parallel, and the interface of a replicated parallel.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;
@@ -237,7 +237,7 @@ void Resolver::let_value(const Decl& decl, LetScope& let) {
     }
 }
 
-// Returns the names that a pattern binds. Constructors and channels are not bound.
+// Returns the names that a pattern binds. Names of constructors and channels match only themselves.
 std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
     std::vector<std::string> result;
     if (pattern.kind == PatternKind::name) {
@@ -283,7 +283,7 @@ const Code* Resolver::compile_prefix(const Expr& expr, const std::vector<Clause>
     code.args.push_back(compile(expr.args[1]));
     scope_ = outer_scope;
     unit_ = outer_unit;
-    // Only after the body has been compiled is it known which variables of the enclosing frame the prefix captures.
+    // Compiling the body shows which variables of the enclosing frame the prefix captures.
     return &code;
 }
 

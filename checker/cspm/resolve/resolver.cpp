@@ -117,7 +117,7 @@ void Resolver::declare(const std::vector<DeclPtr>& decls, const Target& target) 
     }
 }
 
-// Combines consecutive clauses of one name to one function. Returns the index of the last of these clauses.
+// Combines consecutive clauses of one name into one function. Returns the index of the last clause.
 std::size_t Resolver::declare_function(const std::vector<DeclPtr>& decls, std::size_t first, const Target& target) {
     const Decl& decl = *decls[first];
     std::size_t last = first;
@@ -137,7 +137,7 @@ std::size_t Resolver::declare_function(const std::vector<DeclPtr>& decls, std::s
     return last;
 }
 
-// Compiles the parameters and the body of a clause in a separate frame.
+// Compiles the parameters and the body of a clause. The clause has a frame of its variables.
 void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, const Group* member_of) {
     FunctionClause clause;
     clause.unit = &new_unit(parent);
@@ -155,7 +155,7 @@ void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, con
         fail("the clauses of '" + function.name + "' take different numbers of arguments", decl.span);
     }
     function.groups = groups;
-    // In the body of a constant, the variables of the constant's own pattern are not in scope.
+    // The body of a constant must not use the variables that the left side of the same constant binds.
     if (decl.kind == DeclKind::value) scope_ = outer_scope;
     clause.body = compile(decl.body);
     scope_ = outer_scope;
@@ -178,7 +178,7 @@ void pattern_names(const Pattern& pattern, std::vector<std::string>& out) {
 
 }  // namespace
 
-// Converts (a, b) = (x, y) to a = x and b = y, so that evaluating one variable does not evaluate the other.
+// Converts (a, b) = (x, y) to a = x and b = y. So evaluating `a` does not evaluate y.
 std::vector<DeclPtr> Resolver::split_tuple(const Decl& decl) {
     const Pattern& pattern = *decl.patterns.at(0).at(0);
     const Expr* body = decl.body.get();
@@ -346,8 +346,8 @@ void Resolver::declare_module(const Decl& decl, const Target& target) {
     if (decl.parameters.empty()) declare_contents(module, module.name + "::", target.timed, &new_scope(target.scope));
 }
 
-// Declares the contents of a module. `inner` gets all names. The exports get the exported names, with the name of the
-// module as prefix.
+// Declares the contents of a module. `inner` gets all names. Only exported names are added to the exports of the
+// module. `prefix` precedes the full names.
 void Resolver::declare_contents(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner) {
     declare(module.decl->decls, {inner, nullptr, prefix, timed});
     declare(module.decl->exports, {inner, &module.exported, prefix, timed});
@@ -363,7 +363,7 @@ void Resolver::declare_instance(const Decl& decl, const Target& target) {
     jobs_.push_back([this, &module] { create_instance(module); });
 }
 
-// Creates an instance, which is a copy of its module. In the copy, the parameters are defined as the arguments.
+// Creates an instance: copies the module and defines its parameters as the arguments.
 void Resolver::create_instance(Module& module) {
     if (module.instance == nullptr) return;
     const Decl& decl = *module.instance;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts syntax trees to code: resolves scopes, modules and instances, and assigns slots to names (code.hpp). A
-// module without parameters is a part of the script whose names get a prefix. An instance is a copy of the declarations
-// of its module; in the copy, the parameters are defined as the arguments.
+// module without parameters is a part of the script; its names get a prefix. For an instance, the declarations of its
+// module are copied, and the parameters are defined as the arguments.
 #pragma once
 
 #include <deque>
@@ -24,8 +24,8 @@ public:
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     /// Declares and compiles a script's declarations.
     void compile_script(const Script& script);
-    /// Compiles an expression in the script's global scope. If `place` is given, it must be an assertion of the script,
-    /// and the expression is compiled in the scope of its module or timed section.
+    /// Compiles an expression in the script's global scope. If `place` is not null, the expression belongs to this
+    /// assertion of the script, and is compiled in the scope of the enclosing module or timed section.
     const Code* compile_expression(const ExprPtr& expr, const Decl* place, Unit*& unit);
 
 private:
@@ -48,7 +48,7 @@ private:
         const Decl* decl = nullptr;  // the declaration of the module
         Scope* outer = nullptr;      // the scope of that declaration
         Scope exported;
-        const Decl* instance = nullptr;  // null if there is none; otherwise the instance is created on first use
+        const Decl* instance = nullptr;  // null for a module that is no instance; otherwise created on first use
         Scope* instance_scope = nullptr;
         TimedSection* timed = nullptr;
         std::string name;  // qualified name
@@ -65,8 +65,8 @@ private:
         TimedSection* timed = nullptr;
     };
 
-    // A let that is being compiled: its members, the slot of its environment, and the tasks that wait until all members
-    // are declared.
+    // A let that is being compiled: its members, the slot of its environment, and the tasks to run when all members are
+    // declared.
     struct LetScope {
         Group& group;
         int slot;
@@ -141,7 +141,7 @@ private:
     Scope* scope_ = nullptr;
     Unit* unit_ = nullptr;
     TimedSection* timed_ = nullptr;
-    std::deque<DeclPtr> made_;  // declarations that were created by splitting others
+    std::deque<DeclPtr> made_;  // declarations that split_tuple created
     std::uint32_t functions_ = 0;
     unsigned instances_ = 0;
 };

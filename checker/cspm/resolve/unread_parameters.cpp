@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks the variables that are read; all others are unread. A variable is read wherever its name occurs, with one
-// exception: the name is a whole argument for a parameter that is not read. Such an argument is a link: the variable is
-// read if the parameter is read. The algorithm follows these links backwards from the variables that are read.
+// Finds the variables that are read. A variable is read wherever its name occurs, with one exception: the name is a
+// whole argument of a call. Then it is read only if the parameter is read. This relation is stored as a link. The
+// algorithm follows the links backwards from variables that are certainly read.
 #include "checker/cspm/resolve/unread_parameters.hpp"
 
 #include <set>
@@ -9,7 +9,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// A slot of a frame.
+/// A variable: a slot in the frame of a unit.
 using Variable = std::pair<const Unit*, int>;
 
 bool is_variable(const MatchCode& pattern) {
@@ -55,8 +55,8 @@ void Reading::read(const Variable& variable) {
     }
 }
 
-/// Returns the definition that an application calls. Returns null if the definition is unknown, or if the application
-/// does not pass all its arguments.
+/// Returns the definition that an application calls. Returns null if it is unknown, or if some arguments of the
+/// definition are missing.
 const Function* Reading::callee(const Code& code) const {
     if (code.kind != ExprKind::apply || code.args[0]->kind != ExprKind::name) return nullptr;
     const Code& name = *code.args[0];

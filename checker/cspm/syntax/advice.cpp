@@ -92,14 +92,14 @@ char32_t first_code(std::string_view text, std::size_t length) {
     return code;
 }
 
-/// For the letters U+00C0 to U+017F: the letter without its accent. Ligatures are replaced by their first letter.
+/// Accented letters from U+00C0 to U+017F without their accents. A ligature is represented by its first letter.
 constexpr char32_t first_accented = 0xc0;
 constexpr std::string_view without_accents =
     "AAAAAAACEEEEIIIIDNOOOOO*OUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
     "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlL"
     "lLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 
-/// Returns true for accents that follow their letter as separate characters.
+/// Returns true for an accent that is a separate character after its letter.
 bool is_accent(char32_t code) {
     return code >= 0x300 && code < 0x370;
 }

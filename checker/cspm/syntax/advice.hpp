@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives suggestions for errors in a script. A suggestion is selected by what the parser expected and what it found
+// Gives suggestions for errors in a script. What the parser expected and what it found determine the suggestion
 // (parser.hpp).
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace robochart::cspm {
 
-/// Returns all rows of the table of suggestions. Expected texts are quoted as in messages: "'else'".
+/// Returns the table of all suggestions. Expected texts have quotes, as in messages: "'else'".
 [[nodiscard]] std::span<const diagnostics::Advice> all_advice();
 
-/// Returns the number of bytes of the non-ASCII letter at the beginning of the text, or 0 if it begins with another
-/// character.
+/// If the text begins with a non-ASCII letter, returns the number of its bytes. Otherwise returns
+/// 0.
 [[nodiscard]] std::size_t foreign_letter(std::string_view text);
 /// Returns the name without the accents of its letters, or "" if some letter has no ASCII form.
 [[nodiscard]] std::string in_plain_letters(std::string_view name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds CSPM syntax trees for producers such as csp_emit. The comment of a function shows the text that its tree
-// represents. The trees contain no spans and no parentheses; the printer adds parentheses where the language needs
-// them. n-ary operators fold to the left, like the reader's tree for `P [] Q [] R`.
+// Builds CSPM syntax trees, for example for csp_emit. The comment of a function shows the text that its tree
+// represents. Trees contain no spans and no parentheses; the printer adds the necessary parentheses. Operators with
+// many operands fold to the left, as the reader does for `P [] Q [] R`.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ using Decls = std::vector<DeclPtr>;
 
 // ---------------------------------------------------------------- values
 
-/// Returns the tree of a number. A negative number becomes `negate` of its absolute value, as in the reader's trees.
+/// Returns the tree of a number. Like the reader, represents a negative number as `negate` of its absolute value.
 [[nodiscard]] ExprPtr number(std::int64_t value);
 [[nodiscard]] ExprPtr boolean(bool value);
 [[nodiscard]] ExprPtr string(std::string value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hashes the parts of trees in the order in which syntax.cpp compares them, without comments, spans and parentheses.
+// Hashes the parts of a tree in the order in which syntax.cpp compares them. Ignores comments, spans and parentheses.
 #include "checker/cspm/syntax/fingerprint.hpp"
 
 #include <string_view>
@@ -30,7 +30,7 @@ private:
     void add_word(std::uint64_t value) { result_.hash = mix_word(result_.hash, value); }
     void add_text(std::string_view value) {
         add_word(value.size());
-        // The hash is FNV-1a, because std::hash depends on the library.
+        // FNV-1a instead of std::hash, whose results depend on the library.
         std::uint64_t hash = 0xcbf29ce484222325U;
         for (const char character : value) hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3U;
         add_word(hash);

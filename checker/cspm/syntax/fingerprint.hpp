@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes fingerprints of syntax trees, which are hashes of their contents: trees that compare equal (syntax.hpp) have
-// equal fingerprints. With fingerprints, equal trees are found among many without a comparison of every pair.
+// Computes fingerprints of syntax trees. A fingerprint is a hash of the contents, so equal trees (syntax.hpp) have
+// equal fingerprints. They find equal trees among many without comparing every pair.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@ struct Fingerprint {
     std::size_t size = 0;  ///< approximate number of characters of the text without white space
 };
 
-/// Computes fingerprints. Those of modules are cached, so that nested modules are visited only once.
+/// Computes fingerprints. Caches those of modules, so that a nested module is visited only once.
 class Fingerprints {
 public:
-    /// Returns the fingerprint of a module's exports, which does not depend on the module's name.
+    /// Returns the fingerprint of what a module exports. It does not depend on the module's name.
     [[nodiscard]] Fingerprint of_exports(const DeclPtr& module);
 
 private:
     class Digest;
-    std::map<DeclPtr, Fingerprint> exports_;  ///< looked up, but never iterated
+    std::map<DeclPtr, Fingerprint> exports_;  ///< searched by key but never iterated: its order has no effect
 };
 
 }  // namespace robochart::cspm

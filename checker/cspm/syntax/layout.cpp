@@ -30,7 +30,7 @@ void Layout::add_piece(Kind kind, std::string text) {
     pieces_.push_back({kind, std::move(text)});
 }
 
-// Returns, for each `open`, the width of its group on one line, or never_fits if the group contains a hard line end.
+// Returns the width of each group on one line, or never_fits if it contains a hard line end. Indexed by `open`.
 std::vector<std::size_t> Layout::group_widths() const {
     std::vector<std::size_t> result(pieces_.size(), 0);
     std::vector<std::size_t> starts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lays out a text: the text marks places at which a line may end, and the algorithm selects some of them. If a group
-// does not fit into its line, lines end at all places of the group (Oppen 1980, with consistent breaking).
+// Lays out a text. The text marks places where a line may end, in nested groups. If a group does not fit on its line,
+// the line ends at all places of the group (Oppen 1980, with consistent breaking).
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ class Layout {
 public:
     explicit Layout(std::size_t width) : width_(width) {}
 
-    /// Adds text without line ends. Inserts a space if two texts would join to another token, such as `{-`, `<-` or
-    /// `{|`.
+    /// Adds text without line ends. Inserts a space if two pieces would otherwise form another token, such as `{-`,
+    /// `<-` or `{|`.
     void add_text(std::string_view piece);
     void space_or_line() { add_piece(Kind::line, " "); }
     void break_line() { add_piece(Kind::hard_line, ""); }

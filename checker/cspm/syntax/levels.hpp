@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the precedences of CSPM's operators, lowest first, as in the table of FDR's own grammar (libcspm,
-// Parser.ppy). The reader and the printer share these precedences.
+// Defines the precedence of every operator of CSPM for the reader and the printer, lowest first. It is the table of
+// FDR's own grammar (libcspm, Parser.ppy).
 #pragma once
 
 namespace robochart::cspm {
 
 enum Level : int {
-    lowest_level = 0,        ///< lambda, let, if, replicated forms: they extend as far to the right as possible
+    lowest_level = 0,        ///< lambda, let, if, replicated forms: they end as late as possible
     hiding_level = 1,        ///< \ |\ left-associative
     interleave_level = 2,    ///< ||| left-associative
     parallel_level = 3,      ///< [|A|] [A||B] [a<->b] [|A|> not associative

@@ -19,8 +19,8 @@ namespace {
 using diagnostics::is_digit;
 using diagnostics::Span;
 
-// How line ends around a token are treated (FDR's lexer, libcspm Lexer.x). `before`: line ends before the token are
-// ignored, because it cannot begin an expression or declaration. `after`: line ends after the token are ignored.
+// Says which line ends around a token have no effect (FDR's lexer, libcspm Lexer.x). `before`: those before the token,
+// because it cannot begin an expression or declaration. `after`: those after the token.
 enum LineBreaks : std::uint8_t { plain = 0, before = 1, after = 2, both_sides = 3 };
 
 struct Symbol {
@@ -159,7 +159,7 @@ private:
         }
     }
 
-    /// Reports `a --> P`: a comment that begins after other text on its line was probably meant as an arrow.
+    /// Reports `a --> P`. The comment begins after other text on its line, so the user probably meant an arrow.
     void arrow_comment() {
         if (!looking_at("-->") || line_end_ || tokens_.empty() || tokens_.back().kind == Tok::newline) return;
         const Span place{source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + 3)};
@@ -180,8 +180,8 @@ private:
         } while (depth > 0);
     }
 
-    // Reports a block comment that is not closed. If its `{-` probably begins a set with a negative number, emits `{`,
-    // so that the rest of the script is not lost.
+    // Reports a block comment without an end. If `{-` probably begins a set whose first element is negative, emits `{`
+    // instead, so that the parser still sees the rest of the script.
     void open_comment(std::size_t from) {
         const Span place{source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(from + 2)};
         diagnostics::Diagnostic& finding = diagnostics_.report(rules::open_comment, place);
@@ -240,7 +240,7 @@ private:
         emit_token(Tok::identifier, from, plain);
     }
 
-    // Reports a name with foreign letters once, and then accepts it as a name.
+    // Reports a name with letters outside ASCII, once for each name. Then accepts it as a name.
     void foreign_name(std::size_t from) {
         const std::string name(text_from(from));
         if (!foreign_names_.insert(name).second) return;
@@ -256,8 +256,8 @@ private:
         return tokens_.back().kind == Tok::l_brace && line_end_;
     }
 
-    // Reads the rest of the line after `print`. The statement ends at the end of its line, even if the next line could
-    // continue it.
+    // Reads the rest of the line after `print`. The statement always ends with the line, even if an expression could
+    // continue on the next one.
     void read_print_line(std::size_t from) {
         emit_token(Tok::print, from, after);
         const std::string_view whole = text_;
@@ -387,8 +387,8 @@ private:
         return true;
     }
 
-    // Reports an error and emits the token that was probably meant, if there is one, so that the rest of the
-    // declaration can be parsed.
+    // Emits the token that the user probably meant, if one is known, so that the parser can continue with the
+    // declaration. The caller has reported the error.
     void read_as(std::string_view written, std::size_t from) {
         if (const auto* word = std::ranges::find(words, written, &Symbol::text); word != words.end())
             return emit_token(word->kind, from, word->layout);
@@ -420,7 +420,7 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     bool line_end_ = false;        // whether a line end was skipped after the last token
     std::size_t line_end_at_ = 0;  // position of the first skipped line end
-    bool soaking_ = true;          // whether line ends after the last token are ignored
+    bool soaking_ = true;          // true if line ends after the last token have no effect
     bool blank_before_ = false;    // whether white space precedes the token
     std::vector<Token> tokens_;
     std::set<std::string> foreign_names_;  // names that have been reported

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts CSPM text to tokens by FDR's layout rule: a line end is a token unless the token before it cannot end an
-// expression, or the token after it cannot begin an expression or a declaration.
+// Converts CSPM text to tokens by FDR's layout rule. A line end is a token, with two exceptions: the token before it
+// cannot end an expression, or the token after it cannot begin an expression or a declaration.
 #pragma once
 
 #include <cstdint>
@@ -40,13 +40,13 @@ struct Token {
     std::int64_t number = 0;  ///< value of an integer, code of a character
 };
 
-/// Returns all tokens of a text; the last token is `end`. Malformed tokens are reported and skipped.
+/// Returns all tokens of a text; the last one has the kind `end`. Reports malformed tokens and skips them.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&);
 
 /// Returns true for characters that names may contain after the first one.
 [[nodiscard]] bool continues_name(char c);
 
-/// Returns the text for a token in messages: its spelling in quotes, or a description.
+/// Returns how messages refer to a token: its text in quotes, or a description.
 [[nodiscard]] std::string_view spelling(Tok kind);
 
 }  // namespace robochart::cspm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks up qualified names in the syntax tree of a script. Modules are found by their names, and instances by their
-// modules.
+// Looks up qualified names in the syntax tree of a script. A module is found by its name, and an instance by the name
+// of its module.
 #include "checker/cspm/syntax/lookup.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view separator = "::";
 
-/// The scopes of a name are nested lists of declarations, the outermost first. The name is used in the last list.
+/// The lists of declarations that enclose a name, the outermost first.
 using Scopes = std::vector<const std::vector<DeclPtr>*>;
 
 bool declares_name(const Decl& decl, std::string_view name) {
@@ -39,7 +39,7 @@ bool declares_name(const Decl& decl, std::string_view name) {
     return false;
 }
 
-/// Finds a declaration in a list. Timed sections inside the list are not scopes, so they are searched too.
+/// Finds a declaration in a list. A timed section is no scope, so the declarations inside it are searched too.
 DeclPtr find_declared(const std::vector<DeclPtr>& decls, std::string_view name) {
     for (const DeclPtr& decl : decls) {
         if (declares_name(*decl, name)) return decl;
@@ -58,8 +58,8 @@ DeclPtr find_path(std::string_view path, const Scopes& scopes) {
     return find_inside(first, path.substr(end + separator.size()), scopes);
 }
 
-/// Finds the rest of a path inside a declaration. The module of an instance must be in scope where the instance is
-/// declared. Inner modules can use the enclosing declarations.
+/// Finds the rest of a path inside a declaration. The declaration of an instance must be able to see its module. A
+/// module inside another can use the declarations around it.
 DeclPtr find_inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes) {
     if (decl->kind == DeclKind::module) {
         for (const auto* part : {&decl->exports, &decl->decls}) {

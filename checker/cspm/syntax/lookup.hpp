@@ -10,16 +10,16 @@
 
 namespace robochart::cspm {
 
-/// Returns the names that a declaration adds to its scope, which include constructors and, for a value, the variables
-/// of its pattern.
+/// Returns the names that a declaration adds to its scope: its own names, its constructors, and the variables in the
+/// pattern of a value.
 [[nodiscard]] std::vector<std::string> declared_names(const Decl& decl);
 
-/// Returns the declaration of `path`, which is a name or `A::B::name`, with or without a leading `::`. Searches modules
-/// with their private parts, timed sections, and the modules of instances. For a function, returns the first clause.
-/// Returns null if there is no declaration.
+/// Returns the declaration of `path`: `name` or `A::B::name`, with or without a leading `::`. Also searches timed
+/// sections, the private parts of modules, and the modules of instances. For a function, returns the first clause.
+/// Returns null if it finds no declaration.
 [[nodiscard]] DeclPtr declaration_of(const Script& script, std::string_view path);
 
-/// Returns the assertions among the declarations in order, including those inside modules and timed sections.
+/// Returns the assertions among the declarations in order. Also searches modules and timed sections.
 [[nodiscard]] std::vector<DeclPtr> assertions_in(const std::vector<DeclPtr>& decls);
 
 }  // namespace robochart::cspm

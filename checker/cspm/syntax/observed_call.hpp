@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports calls of observed functions with the arguments and results that were evaluated while processes were explored.
+// Describes calls of observed functions: the arguments and results that the exploration of processes evaluated.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace robochart::cspm {
 struct ObservedCall {
     std::string function;
     diagnostics::Span span;                           ///< place of the call
-    std::vector<std::optional<std::int64_t>> values;  ///< by argument: its value if it is a number
+    std::vector<std::optional<std::int64_t>> values;  ///< for each argument: the value, if it is a number
     std::optional<std::int64_t> result;               ///< the result if it is a number
 };
 

@@ -25,8 +25,8 @@ void Parser::skip_newlines() {
     }
 }
 
-// Parses declarations until `done` returns true. Errors are caught here, so that one malformed declaration is skipped.
-// An error in a `let` is passed on, because it drops the whole enclosing declaration.
+// Parses declarations until `done` returns true. Catches errors, so that only one malformed declaration is skipped. In
+// a `let`, passes the error on: the whole declaration that contains the `let` is skipped.
 std::vector<DeclPtr> Parser::parse_declarations(Place place, bool (Parser::*done)() const) {
     std::vector<DeclPtr> result;
     skip_newlines();
@@ -50,7 +50,7 @@ std::vector<DeclPtr> Parser::parse_declarations(Place place, bool (Parser::*done
 namespace {
 constexpr std::size_t widest_margin = 200;
 
-// Returns the number of characters before the token on its line, at most `most`.
+// Returns the column of the token, counted from 0, but at most `most`.
 std::size_t width_before(const Token& token, std::size_t most) {
     std::size_t result = 0;
     while (result < most && result < token.span.begin && *(token.text.data() - result - 1) != '\n') ++result;
@@ -58,7 +58,7 @@ std::size_t width_before(const Token& token, std::size_t most) {
 }
 }  // namespace
 
-// Skips a malformed declaration: continues at the next line whose indentation is at most that of the declaration.
+// Skips a malformed declaration: continues at the next line that is not indented more than the declaration.
 void Parser::skip_malformed_declaration(Span from, bool (Parser::*done)() const) {
     open_sequences_ = 0;
     const auto first =
@@ -494,7 +494,7 @@ std::vector<std::string> names_declared_by(const Decl& decl) {
 
 }  // namespace
 
-// Reports annotations without a declaration in the same list, and declarations with several annotations.
+// Reports annotations whose names are not declared in the same list, and declarations with several annotations.
 void Parser::check_annotations(const std::vector<DeclPtr>& decls) {
     std::map<std::string, const Decl*> annotated;
     for (const DeclPtr& decl : decls) {

@@ -70,8 +70,8 @@ ExprPtr Parser::parse_expression(int minimum) {
     return parse_operators(parse_operand(), minimum);
 }
 
-// Parses the operators after an operand. Hiding has the lowest precedence on its left, but its right side is only one
-// operand: FDR parses `P \ A ||| Q` as `(P \ A) ||| Q`.
+// Parses the operators after an operand. Hiding has the lowest precedence for its left operand, but its right operand
+// is a single operand. So FDR parses `P \ A ||| Q` as `(P \ A) ||| Q`.
 ExprPtr Parser::parse_operators(ExprPtr left, int minimum) {
     for (;;) {
         const Tok next = peek().kind;
@@ -202,7 +202,7 @@ ExprPtr Parser::parse_square_infix(ExprPtr left) {
     return finish_node(std::move(result), from);
 }
 
-// Reports `P [T Q` and `P [FDR= Q`, which are incomplete refinements.
+// Reports `P [T Q` and `P [FDR= Q`, where a part of the refinement symbol is missing.
 void Parser::half_refinement(const Expr& model, Span process) {
     const bool named = model.kind == ExprKind::name && !model.text.empty() && model.text.size() <= 3 &&
                        std::ranges::all_of(model.text, [](char c) { return c >= 'A' && c <= 'Z'; });
@@ -293,10 +293,10 @@ bool ends_operand(Tok kind) {
 
 }  // namespace
 
-// Returns true if the next clause is a generator, which means that `<-` or `:` occurs before its end. The tokens must
-// be scanned, because a pattern looks like an expression.
+// Returns true if the next clause is a generator: `<-` or `:` occurs before its end. A pattern looks like an
+// expression, so the tokens must be scanned first.
 bool Parser::generator_ahead() const {
-    std::vector<bool> open;  // true for a sequence, which is the only bracket that `>` closes
+    std::vector<bool> open;  // for each open bracket: true for a sequence, which alone ends with `>`
     Tok previous = Tok::comma;
     for (std::size_t ahead = 0;; ++ahead) {
         const Tok kind = peek(ahead).kind;

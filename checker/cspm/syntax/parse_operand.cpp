@@ -118,7 +118,7 @@ ExprPtr Parser::parse_parenthesis() {
     return make_node(kind, from, std::move(parts));
 }
 
-// Parses the contents of { } or < >. The kinds are plain, range, comprehension and range comprehension.
+// Parses the contents of { } or < >. `kinds`: plain, range, comprehension, and range with clauses.
 ExprPtr Parser::parse_collection(ExprNode result, Span from, Tok close, const ExprKind (&kinds)[4]) {
     result.kind = kinds[0];
     if (!at_token(close) && !at_token(Tok::pipe)) result.args.push_back(parse_expression());
@@ -249,7 +249,7 @@ ExprPtr Parser::parse_replicated_bracketed(ExprKind kind, Tok close) {
     return finish_node(std::move(result), from);
 }
 
-// Parses `|| x:S @ [A] P`. The body ends where an operand of a parallel operator would end.
+// Parses `|| x:S @ [A] P`. The body ends at the first operator that would end an operand of a parallel operator.
 ExprPtr Parser::parse_replicated_alphabetised() {
     const Span from = take_token().span;
     ExprNode result;
@@ -264,8 +264,8 @@ ExprPtr Parser::parse_replicated_alphabetised() {
     return finish_node(std::move(result), from);
 }
 
-// Parses [a <-> b | clauses] x:s @ P. In the tree, the clauses of the links come first and are stored as conditions of
-// the links.
+// Parses [a <-> b | clauses] x:s @ P. The tree stores the clauses of the links first, as conditions of the
+// links.
 ExprPtr Parser::parse_replicated_square() {
     const Span from = take_token().span;
     ExprNode result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses patterns. FDR parses a pattern as an expression and converts it, so patterns have the precedences of
-// expressions: @@ binds less tightly than `.`, which binds less tightly than ^.
+// Parses patterns. FDR parses a pattern as an expression and then converts it, so patterns have the precedences of
+// expressions. From loosest to tightest: @@, `.`, ^.
 #include <algorithm>
 #include <string>
 
@@ -13,8 +13,8 @@ namespace {
 enum PatternLevel { both_level = 0, dot_level = 1, concat_level = 2 };
 }  // namespace
 
-// Completes a node and checks its height: chains of operators such as `x^y^z…` increase the height without recursion,
-// because they are left-associative.
+// Completes a node and checks its height. A chain such as `x^y^z…` is left-associative: it makes the tree higher
+// although the parser does not recurse.
 PatternPtr Parser::finish_node(PatternNode pattern, Span from) {
     pattern.span = span_since(from);
     for (const PatternPtr& arg : pattern.args)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses types in annotations (`f :: (Int) -> {Event}`). Their syntax is checked. Then they are stored as text in a
-// canonical form.
+// Parses types in annotations (`f :: (Int) -> {Event}`). Checks their syntax and stores them as text in a canonical
+// form.
 #include "checker/cspm/syntax/parser.hpp"
 #include "checker/cspm/syntax/rules.hpp"
 

@@ -36,8 +36,8 @@ std::string describe_token(Tok kind) {
     return spelt ? "'" + text + "'" : text;
 }
 
-/// Returns the word that the user probably meant by a misspelt word: an expected word, or the keyword of a declaration.
-/// Returns "" if no such word is similar.
+/// Returns the word that the user probably misspelt: the expected word, or the keyword of a declaration. Returns "" if
+/// no such word is similar to the text.
 std::string meant_word(std::string_view expected, const Token& found, const Token* before) {
     if (found.kind == Tok::identifier && expected.size() > 3 && expected.front() == '\'') {
         const std::string word(expected.substr(1, expected.size() - 2));
@@ -137,7 +137,7 @@ Parser::Depth::Depth(Parser& parser) : parser_(parser) {
 
 // ---------------------------------------------------------------- nodes
 
-// Returns the height of a tree. The parser has built every tree that it visits, so the casts below are safe.
+// Returns the height of a tree. Every node was created by the parser as an ExprNode, so the cast below is safe.
 unsigned Parser::height_of(const ExprPtr& expr) {
     return expr ? static_cast<const ExprNode&>(*expr).height : 0;
 }

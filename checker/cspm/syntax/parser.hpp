@@ -18,14 +18,14 @@ namespace robochart::cspm {
 enum class Place { top, module, let, timed, timed_in_module };
 /// Returns the kind of the list inside a timed section that is in a list of this kind.
 [[nodiscard]] Place timed_inside(Place outer);
-/// Returns the text "in a module", or a similar text, if a declaration of this kind is forbidden in such a list, and ""
-/// if it is allowed.
+/// Returns "in a module" or a similar text if a list of this kind must not contain such a declaration, and ""
+/// otherwise.
 [[nodiscard]] std::string forbidden_place(DeclKind kind, Place place);
 void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics);
 
 class Parser {
 public:
-    /// The maximal depth of recursion, and the maximal height of a tree, which chains of operators also increase.
+    /// Limits the recursion of the parser and the height of trees. Chains of operators also make a tree higher.
     static constexpr unsigned max_depth = 800;
     static constexpr unsigned max_height = 4000;
 
@@ -37,8 +37,8 @@ public:
 private:
     struct SyntaxError {};
 
-    // Stores the height of a node during parsing, so that no tree becomes higher than max_height, and no pattern higher
-    // than max_depth.
+    // A node with its height, which the parser needs so that no tree exceeds max_height and no pattern exceeds
+    // max_depth.
     struct ExprNode : Expr {
         unsigned height = 0;
     };
@@ -58,7 +58,7 @@ private:
     private:
         Parser& parser_;
     };
-    // Makes `>` an operator inside brackets, even if the brackets are inside a sequence.
+    // While it exists, `>` is an operator again. Used for brackets inside a sequence.
     class Bracket {
     public:
         explicit Bracket(Parser& parser) : parser_(parser), open_(std::exchange(parser.open_sequences_, 0)) {}
@@ -78,10 +78,10 @@ private:
     bool accept(Tok kind);
     const Token& expect(Tok kind);
     [[noreturn]] void fail(std::string_view expected);
-    /// Returns the opening bracket to which the expected closing bracket belongs, or null if there is none.
+    /// Returns the opening bracket that the expected closing bracket would close, or null if there is none.
     [[nodiscard]] const Token* open_bracket(std::string_view expected) const;
-    /// Throws the error, with advice that depends on what the user probably meant. `about` is the text to which the
-    /// advice refers.
+    /// Throws the error. Selects advice by what the user probably meant; the advice refers to the text at
+    /// `about`.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[nodiscard]] Span span_since(Span from) const;

@@ -159,7 +159,7 @@ void Printer::print_block(const std::vector<DeclPtr>& decls) {
     print_declarations(decls);
 }
 
-// Prints a module. Its keywords are one level to the left, because the group around a declaration is already indented.
+// Prints a module. Its keywords move one level to the left, because the group of the declaration is indented.
 void Printer::print_module(const Decl& decl) {
     out_.add_text("module " + decl.names.at(0));
     if (!decl.parameters.empty()) {
@@ -222,7 +222,7 @@ std::string_view property_name(AssertionKind kind) {
 
 void Printer::print_assertion(const Assertion& assertion) {
     out_.add_text(assertion.negated ? "assert not " : "assert ");
-    // Without parentheses, `assert not P` would be read as a negated assertion.
+    // Without parentheses, `not` would negate the assertion.
     const bool ambiguous = !assertion.negated && on_one_line(assertion.specification).starts_with("not ");
     print_expression(assertion.specification, ambiguous ? atom_level : lowest_level);
     const std::string model(model_name(assertion.model));

@@ -16,7 +16,7 @@ struct Writing {
     std::string_view op;
 };
 
-// Returns the precedence and the spelling of an operator. Atoms and bracketed forms have the highest precedence.
+// Returns how an operator is written, and its precedence. Atoms and bracketed forms have the highest precedence.
 Writing notation_of(ExprKind kind) {
     switch (kind) {
         case ExprKind::lambda:
@@ -248,14 +248,14 @@ void Printer::print_binary_value(const Expr& expr, int level, std::string_view o
     out_.close_group();
 }
 
-// Prints an operand of a process operator. Names, calls, bracketed forms, prefixes and guards need no parentheses.
+// Prints an operand of a process operator. Names, calls, bracketed forms, prefixes and guards get no parentheses.
 void Printer::print_process_operand(const ExprPtr& given) {
     const Expr* expr = &strip_parentheses(given);
     const bool alone = expr->kind == ExprKind::prefix || expr->kind == ExprKind::guard;
     print_expression(given, alone ? prefix_level : postfix_level);
 }
 
-// Prints P [] Q [] R, a chain of one left-associative operator, as one group.
+// Prints a chain of one left-associative operator, such as P [] Q [] R, as one group.
 void Printer::print_process_chain(const Expr& expr, std::string_view op) {
     std::vector<const Expr*> links{&expr};
     for (;;) {
@@ -402,7 +402,7 @@ void Printer::print_let(const Expr& expr) {
     out_.outdent();
 }
 
-// Prints a chain such as if a then P else if b then Q else R as one group, without growing indentation.
+// Prints `if a then P else if b then Q else R` as one group, so that longer chains are not indented further.
 void Printer::print_conditional(const Expr& given) {
     const Expr* expr = &given;
     out_.open_group();

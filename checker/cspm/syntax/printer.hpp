@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints trees as text that FDR accepts. Operands of value operators get the parentheses that their precedence requires
-// (levels.hpp). Operands of process operators get parentheses unless they are self-contained. Lines end only where
-// FDR's lexer ignores line ends (lexer.cpp).
+// Prints trees as text that FDR accepts. Operands of value operators get parentheses if precedence requires them
+// (levels.hpp). Operands of process operators get parentheses unless their end is obvious. Lines end only where FDR's
+// lexer ignores line ends (lexer.cpp).
 #pragma once
 
 #include <string>

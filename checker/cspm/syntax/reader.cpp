@@ -27,8 +27,8 @@ namespace {
 // Replaces `include` lines by the declarations of the included files.
 class Includer {
 public:
-    // The maximal nesting of includes. The size is limited separately, because a script becomes exponentially long if
-    // every file includes another file several times.
+    // The maximal depth of nested includes. The size has another limit: if every file includes another one several
+    // times, a script grows exponentially.
     static constexpr std::size_t max_open = 200;
     static constexpr std::size_t max_files = 10000;
 
@@ -70,8 +70,8 @@ private:
         return std::nullopt;
     }
 
-    /// Replaces includes by the declarations of their files. `read_at` is the kind of list for which the parser has
-    /// checked the declarations. `place` is the kind of the list that contains them in the script.
+    /// Replaces includes by the declarations of their files. `read_at` is the kind of list that the parser assumed when
+    /// it checked the declarations. `place` is the kind of list that contains them in the script.
     std::vector<DeclPtr> expand(const std::vector<DeclPtr>& decls, const std::filesystem::path& folder, Place read_at,
                                 Place place) {
         std::vector<DeclPtr> result;

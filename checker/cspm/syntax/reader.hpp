@@ -11,23 +11,23 @@
 
 namespace robochart::cspm {
 
-/// Parses a text. `include` declarations stay in the tree. Errors are reported as diagnostics, and the rest of the text
-/// is still parsed.
+/// Parses a text. The tree keeps `include` declarations. Reports errors as diagnostics and still parses the rest of the
+/// text.
 [[nodiscard]] Script read(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
-/// Parses a file, and replaces its includes by the contents of the included files. Their paths are relative to the
-/// including file. A file is included only once in each list. Cycles of includes are errors, and so is an excessive
-/// size (see reader.cpp).
+/// Parses a file and replaces its includes by the contents of the files. Paths are relative to the including file. A
+/// list includes the same file only once. A cycle of includes is an error, and so is a script that becomes too large
+/// (see reader.cpp).
 [[nodiscard]] Script read_file(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&);
 
-/// A function that adds the text of a file to the sources. On failure it returns no value and sets `error` to a
-/// description of the cause.
+/// A function that adds the text of a file to the sources. If this fails, it returns no value and sets `error` to the
+/// cause.
 using Loader = std::function<std::optional<diagnostics::SourceId>(const std::string& path, std::string& error)>;
-/// Parses a file like the function above, but `load` may replace the texts of some files.
+/// Parses a file like the function above. `load` supplies the texts of the files, for example unsaved ones.
 [[nodiscard]] Script read_file(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&,
                                const Loader& load);
 
-/// Prints a tree as text that FDR accepts and that `read` converts back to an equal tree. The text is the same each
-/// time, and its lines have up to about 110 columns.
+/// Prints a tree as text. FDR accepts the text, and `read` converts it back to an equal tree. Equal trees give equal
+/// text. Lines have at most about 110 columns.
 [[nodiscard]] std::string print(const Script&);
 [[nodiscard]] std::string print(const ExprPtr&);
 /// Prints a declaration without its comment and without a final line end.

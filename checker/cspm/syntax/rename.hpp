@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renames names in syntax trees, and finds the names that patterns bind. A name is renamed wherever it occurs, with
-// any meaning. So the caller must choose names that have at most one meaning in the tree.
+// Renames names in syntax trees, and finds the names that patterns bind. A name is renamed everywhere, even where it
+// has another meaning. So callers must choose names that have only one meaning in the tree.
 #pragma once
 
 #include <map>
@@ -15,12 +15,12 @@ namespace robochart::cspm {
 /// Maps old names to new names.
 using NewNames = std::map<std::string, std::string>;
 
-/// Returns the declarations with the new names. In a qualified name `A::b`, the first part may be renamed. Returns the
-/// same objects if there are no new names.
+/// Returns the declarations with the new names. Of a qualified name `A::b`, only the first part can be renamed. Returns
+/// the same objects if `names` is empty.
 [[nodiscard]] std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const NewNames& names);
 
-/// The new names for plain names, and for the parts of qualified names. A name after one of `modules`, which the tree
-/// itself declares, is renamed like a plain name.
+/// New names for plain names and for the parts of qualified names. The tree declares `modules` itself; a name after one
+/// of them is renamed like a plain name.
 struct QualifiedNames {
     NewNames plain;
     NewNames first, inside, last;  ///< new names for A, b and c in `A::b::c`
@@ -28,13 +28,13 @@ struct QualifiedNames {
 };
 [[nodiscard]] std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const QualifiedNames& names);
 
-/// Returns the names of parameters of functions, lambdas and modules, of variables of generators and inputs, and of
-/// local definitions. If such a name is also a channel or a constructor where the tree is used, it becomes a pattern
-/// that matches only this value.
+/// Returns the names of parameters of functions, lambdas and modules, of variables in generators and inputs, and of
+/// local definitions. If a channel or constructor has such a name where the tree is used, the name no longer binds a
+/// variable there: it is a pattern for that one value.
 [[nodiscard]] std::set<std::string> bound_names(const std::vector<DeclPtr>& decls);
 
-/// Returns the names that value declarations bind outside expressions. These declarations may be in exported or private
-/// parts of modules.
+/// Returns the names that declarations of values bind outside expressions, including the private and exported parts of
+/// modules.
 [[nodiscard]] std::set<std::string> value_names(const std::vector<DeclPtr>& decls);
 
 }  // namespace robochart::cspm

@@ -24,8 +24,8 @@ bool equal_decl_pointers(const DeclPtr& a, const DeclPtr& b) {
     return a == b || (a && b && equal(*a, *b));
 }
 
-// Converts dot fields to output fields, because a dot field is only a notation: `c.x?y` has x in the event, and `c?y.x`
-// is a pattern, so the printer writes the remaining dot fields as `!x`.
+// Converts a dot field to an output field. A dot field only describes how a text is written: in `c.x?y` the x belongs
+// to the event, and in `c?y.x` to a pattern. So the printer writes the remaining dot fields as `!x`.
 FieldKind canonical_kind(FieldKind kind) {
     return kind == FieldKind::dot ? FieldKind::output : kind;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the syntax tree of machine-readable CSP (CSPM) as FDR4 reads it (FDR manual, chapter CSPM). Two producers
-// build it: the reader (from text) and csp_emit (from RoboChart). One printer writes it, and one evaluator runs it.
-// Trees are compared by structure, without spans and comments: parsing the output of the printer gives an equal tree.
-// Nodes are immutable after construction and may be shared.
+// Defines the syntax tree of machine-readable CSP (CSPM) as FDR4 reads it (FDR manual, chapter CSPM). The reader builds
+// trees from text and csp_emit builds them from RoboChart; one printer and one evaluator use them. Trees are compared
+// by structure, without spans and comments: if the printed text is parsed, the result equals the tree. Nodes never
+// change after construction, so trees may share them.
 #pragma once
 
 #include <cstdint>
@@ -158,7 +158,7 @@ struct Expr {
 // ---------------------------------------------------------------- types as written
 
 /// Types in declarations of channels, datatypes and nametypes are expressions that denote sets (FDR: `channel c :
-/// {0..2}.Bool`). A product of fields is an ExprKind::dot, and a tuple type is an ExprKind::tuple.
+/// {0..2}.Bool`). Several fields form an ExprKind::dot, and a tuple type is an ExprKind::tuple.
 struct Constructor {
     std::string name;
     ExprPtr fields;  ///< null if there are none
@@ -229,7 +229,7 @@ struct Script {
     std::vector<DeclPtr> decls;
 };
 
-/// Compares trees by structure as described at the head of this file.
+/// Compares trees by structure. Ignores spans, comments and parentheses.
 [[nodiscard]] bool equal(const ExprPtr&, const ExprPtr&);
 [[nodiscard]] bool equal(const Decl&, const Decl&);
 [[nodiscard]] bool equal(const Script&, const Script&);

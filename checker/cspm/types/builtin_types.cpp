@@ -16,8 +16,8 @@ struct Row {
     std::string_view type;
 };
 
-// Sets of processes may be built, but not examined. So operations that would compare processes require Eq, and the
-// others require Set.
+// A script may build sets of processes but not examine them. So operations that compare elements require Eq. The others
+// require only Set.
 constexpr std::array rows{
     Row{"true", "Bool"},
     Row{"false", "Bool"},
@@ -94,7 +94,7 @@ constexpr std::array rows{
     Row{"dbisim", "(Proc) -> Proc"},
 };
 
-// Builds a closed type: its variables become quantified variables.
+// Builds a closed type. All its variables become quantified.
 class Builder {
 public:
     Builder(TypeStore& store, const WrittenScheme& scheme) : store_(store), scheme_(scheme) {}

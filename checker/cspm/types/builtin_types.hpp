@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives the types of CSPM's built-in names, written in FDR's notation (FDR manual, "Built-in definitions").
+// Gives the types of CSPM's built-in names in FDR's notation (FDR manual, "Built-in definitions").
 #pragma once
 
 #include <map>
@@ -14,10 +14,10 @@ public:
     explicit BuiltinTypes(TypeStore& store) : store_(store) {}
 
     enum class Where { script, timed_section, transparent_line, external_line };
-    /// Returns the built-in with this name if it may be used or imported there, otherwise null.
+    /// Returns the built-in with this name if a script may use or import it in such a place, otherwise null.
     Symbol* find(std::string_view name, Where where);
-    /// Returns the line that makes an extra function available ("transparent", "external"). For functions that are only
-    /// available in timed sections, returns "timed". Otherwise returns "".
+    /// Returns the line that a script needs to use an extra function ("transparent" or "external"). Returns "timed" for
+    /// functions that exist only in timed sections, and "" for all others.
     [[nodiscard]] static std::string_view hint(std::string_view name);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides which types satisfy which constraint (FDR manual, "Type system", type constraints), and instantiates schemes.
+// Decides which types satisfy which constraint (FDR manual, "Type system", type constraints). Instantiates schemes.
 #include <algorithm>
 #include <optional>
 
@@ -77,7 +77,7 @@ void Unifier::constrain_variable(Constraint constraint, TypeId variable) {
     store_.constrain(variable, constraint);
 }
 
-// Returns true if the type's constructor allows the constraint. Also imposes the constraint on the parts of the type.
+// Returns true if a type with this constructor can satisfy the constraint. Imposes the constraint on its parts.
 bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
     const TypeNode node = store_.node(type);
     const auto all = [&](Constraint required) {
@@ -116,7 +116,7 @@ bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
             return constraint != can_yield && constraint != can_order;
         case TypeKind::sequence:
         case TypeKind::set:
-            // Sequences are ordered by prefix and sets by inclusion. Both orders only need equality of the elements.
+            // Sequences are ordered by prefix and sets by inclusion, so only equality of elements is needed.
             if (constraint == can_yield) return false;
             return constraint == can_input || all(constraint == can_order ? can_equal : constraint);
         case TypeKind::tuple:

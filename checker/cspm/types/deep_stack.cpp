@@ -24,8 +24,8 @@ namespace robochart::cspm {
 
 namespace {
 
-// A separate stack for a thread. It is mapped on first use and stays mapped. The system allocates its pages when they
-// are first accessed.
+// A separate stack for a thread. It is mapped on first use and never unmapped. A page takes memory only after it has
+// been accessed.
 class Stack {
 public:
     Stack()

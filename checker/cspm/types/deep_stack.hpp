@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a function on a separate stack that is large enough for deep recursion in scripts. Calls may be nested; only the
-// outermost call changes stacks. Exceptions are passed on.
+// Runs a function on a stack that is large enough for deep recursion in scripts. Calls may be nested; only the
+// outermost call changes the stack. Passes exceptions on to the caller.
 #pragma once
 
 #include <cstddef>

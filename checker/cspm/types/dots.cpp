@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unifies dotted types: applies heads to their arguments, and makes two lists of parts equal. A list [A => B, A, C] is
-// equivalent to [B, C]. FDR's longest and shortest match rules determine which parts a head takes.
+// Unifies dotted types. Applies heads to their arguments and makes two lists of parts equal: [A => B, A, C] is the same
+// type as [B, C]. FDR's rules of the longest and the shortest match decide how many parts a head takes.
 #include <utility>
 
 #include "checker/cspm/types/unify.hpp"
 
 namespace robochart::cspm::types {
 
-// Returns the result type after all arguments have been applied.
+// Returns the result type of a dotable that has received all its arguments.
 TypeId Unifier::result_type(TypeId type) {
     Parts ignored;
     return store_.split(type, ignored);
@@ -108,7 +108,7 @@ Unifier::Parts Unifier::evaluate(Parts parts, Match match) {
     return result;
 }
 
-// Returns parts to which both lists are equal. `a` is the expected list, `b` the actual list.
+// Makes both lists equal and returns the common parts. `a` is the expected list, `b` the actual list.
 Unifier::Parts Unifier::combine(Parts a, Parts b) {
     const TypeStore::Depth guard(store_);
     if (a.empty() && b.empty()) return {};
@@ -135,7 +135,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
     if (given == TypeKind::variable && a.size() == 2 && !has_kind(argument, TypeKind::dotable)) {
-        // The variable represents all arguments of the head of `a`, and the parts of `b` after the result.
+        // The variable represents the arguments that the head of `a` needs, and the parts of `b` after the result.
         Parts all;
         const TypeId end = store_.split(first, all);
         Parts rest = evaluate(b, Match::longest);

@@ -56,8 +56,8 @@ TypeId ExpressionTypes::expect_type(const Term& term, TypeId type, std::string_v
     return unify(inside_parentheses(term).syntax->span, type, actual, because);
 }
 
-// Requires a type of this kind. An error is reported at a branch or at a let's body rather than at the whole
-// expression.
+// Requires a type of this kind. Reports an error at the branch or the body of a let that causes it, and not at the
+// whole expression.
 void ExpressionTypes::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
     const Term& at = inside_parentheses(term);
     if (at.syntax->kind == ExprKind::if_then_else) {
@@ -223,7 +223,7 @@ TypeId ExpressionTypes::infer_lambda(const Term& term) {
 
 namespace {
 
-/// Returns the names of a function's parameters, such as " (id__, x)", if its first equation names all of them.
+/// Returns the parameters of a function as text, such as " (id__, x)", if all of them are names in its first equation.
 std::string parameters_text(const Symbol* function) {
     if (function == nullptr || function->owner == nullptr || function->owner->equations.empty()) return "";
     const auto& groups = function->owner->equations.front().groups;
@@ -414,7 +414,7 @@ TypeId ExpressionTypes::infer_replicated(const Term& term) {
     return atom(TypeKind::process);
 }
 
-// Checks links and renamings: both ends must become events by the same further fields.
+// Checks links and renamings. Both ends must become events when the same fields are added to them.
 void ExpressionTypes::check_links(const Term& term) {
     std::vector<TypeId> left;
     for (const LinkTerm& link : term.links) {
@@ -486,7 +486,7 @@ TypeId ExpressionTypes::infer_pattern(const PatternTerm& term) {
             const TypeId element = store_.fresh_variable();
             for (const PatternTerm& argument : term.args) expect_pattern(argument, element);
             if (term.syntax->kind == PatternKind::sequence) return store_.sequence_of(element);
-            // The constraint is Eq and not Set, because a pattern compares.
+            // Eq instead of Set, because matching a pattern compares elements.
             constrain(term.syntax->span, can_equal, element, "a pattern compares what it matches");
             return store_.set_of(element);
         }

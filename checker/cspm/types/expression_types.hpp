@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Infers the types of expressions and patterns, and determines the places of findings about them.
+// Infers the types of expressions and patterns. Determines where findings about them are reported.
 #pragma once
 
 #include <functional>
@@ -13,35 +13,35 @@
 
 namespace robochart::cspm::types {
 
-/// Infers types. It owns the unifier and the place of the unifier's findings. An ill-typed expression throws a
-/// TypeFault; a type that is too large throws a TypeOverflow.
+/// Infers types. Owns the unifier and the place at which the unifier's findings are reported. Throws TypeFault for an
+/// ill-typed expression, and TypeOverflow if a type becomes too large.
 class ExpressionTypes {
 public:
-    /// A function that checks the declarations of a let before its body is checked.
+    /// A function that checks the declarations of a let. It is called before the body is checked.
     using CheckLet = std::function<void(DeclarationList&)>;
 
-    /// The store and the diagnostics must outlive this object. The diagnostics are only used to poll the run's budget.
+    /// The store and the diagnostics must outlive this object. It uses the diagnostics only to poll the budget.
     ExpressionTypes(TypeStore& store, diagnostics::Diagnostics& diagnostics, CheckLet check_let)
         : store_(store), unifier_(store, here_), diagnostics_(diagnostics), check_let_(std::move(check_let)) {}
     ExpressionTypes(const ExpressionTypes&) = delete;
     ExpressionTypes& operator=(const ExpressionTypes&) = delete;
 
     [[nodiscard]] Unifier& unifier() { return unifier_; }
-    /// Returns the place for findings of the unifier.
+    /// Returns the place where the unifier's findings are reported.
     [[nodiscard]] diagnostics::Span current_span() const { return here_; }
     void set_span(diagnostics::Span span) { here_ = span; }
 
     TypeId infer(const Term& term);
-    /// Returns the type of the values that the pattern matches. Its variables must already have types (bind_locals).
+    /// Returns the type of the values that the pattern matches. bind_locals must have given its variables types.
     TypeId infer_pattern(const PatternTerm& pattern);
-    /// Creates a new type for each variable.
+    /// Gives each variable a new type.
     void bind_locals(const std::vector<Symbol*>& symbols);
 
-    // Requires a type. If the term has another type, the finding is at this term or span, and its note is the reason
-    // `because`.
+    // Requires a type. If the term has another type, reports a finding at this term or span; `because` becomes its
+    // note.
     TypeId expect_type(const Term& term, TypeId type, std::string_view because = {});
-    /// Requires a type of this kind. An error is reported at a branch or at a let's body rather than at the whole
-    /// expression.
+    /// Requires a type of this kind. Reports an error at the branch or the body of a let that causes it, and not at the
+    /// whole expression.
     void expect_atom(const Term& term, TypeKind kind, std::string_view because);
     TypeId unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because = {});
     void constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because);

@@ -8,8 +8,8 @@
 
 namespace robochart::cspm::types {
 
-/// Returns groups of mutually dependent declarations. Each group comes after the groups on which it depends. The
-/// members of a group are in the order of the list.
+/// Returns the groups of declarations that depend on each other. A group comes after all groups on which it depends.
+/// Inside a group, the order is that of the list.
 [[nodiscard]] std::vector<std::vector<Declaration*>> dependency_groups(DeclarationList& list);
 
 }  // namespace robochart::cspm::types

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Infers the types of a resolved script by Hindley-Milner inference, one strongly connected group of declarations after
-// the other. At the top level and in modules, the types of all names are generalised. In a `let`, only the types of
-// names with an annotation are generalised, as in FDR.
+// Infers the types of a resolved script by Hindley-Milner inference. Infers one group of mutually dependent
+// declarations after the other. Generalises the types of all names at the top level and in modules. In a `let`,
+// generalises only the types of names with an annotation, as FDR does.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace robochart::cspm::types {
 
-/// Infers the types of declarations. It owns the object that infers the types of their expressions.
+/// Infers the types of declarations. Owns the object that infers the types of expressions.
 class Inference {
 public:
     /// All arguments must outlive this object.
@@ -23,7 +23,7 @@ public:
           terms_(store, diagnostics, [this](DeclarationList& list) { check_list(list, ListKind::let); }),
           unifier_(terms_.unifier()) {}
 
-    /// Sets the schemes of all symbols and reports findings to the diagnostics.
+    /// Sets the scheme of every symbol. Reports findings to the diagnostics.
     void run();
 
 private:

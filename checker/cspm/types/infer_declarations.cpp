@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Infers types group by group, and generalises them after each group. An ill-typed group gives one finding. Its names
-// then have any type, so that no further findings follow from it.
+// Infers types group by group, and generalises them after each group. Reports one finding for an ill-typed group. Its
+// names then match every type, so that no further findings follow from the first.
 #include <algorithm>
 #include <utility>
 
@@ -43,7 +43,7 @@ void Inference::fail_group(const Group& group, TypeFault fault) {
 
 namespace {
 
-// Returns an instance whose module is in the same group, if there is one.
+// Returns an instance whose module belongs to the same group, if any. Such a group is a cycle.
 const Declaration* cyclic_instance(const std::vector<Declaration*>& group) {
     for (const Declaration* declaration : group) {
         if (declaration->kind != DeclKind::instance || declaration->module->original == nullptr) continue;
@@ -75,8 +75,8 @@ void Inference::check_group(Group group, ListKind kind) {
     for (const Declaration* declaration : group) check_fields_known(*declaration, kind);
 }
 
-// Checks a group with datatypes. Whether values of a datatype can be compared depends on its fields, whose types may
-// include the datatype. The inference first assumes that they can be compared, and drops the assumption if this fails.
+// Checks a group with datatypes. Values of a datatype can be compared if its fields can, but a field may contain the
+// datatype. So the inference first assumes that they can be compared, and repeats without this assumption if it fails.
 void Inference::check_datatypes_with(const Group& group, ListKind kind) {
     const auto set_comparable = [&](bool value) {
         for (const Declaration* declaration : group) {
@@ -94,7 +94,7 @@ void Inference::check_datatypes_with(const Group& group, ListKind kind) {
     try {
         try_group(group, kind);
         done = true;
-    } catch (const TypeFault&) {  // the group is checked again without the assumption
+    } catch (const TypeFault&) {  // checked again below, without the assumption
     } catch (...) {
         store_.recording(--attempts_ > 0);
         throw;
@@ -131,8 +131,8 @@ void Inference::generalise(const Declaration& declaration, ListKind kind) {
     }
 }
 
-// Checks that the fields of channels and constructors have known types. In a module with parameters, they need not be
-// known.
+// Checks that the types of the fields of channels and constructors are known. In a module with parameters, they may
+// depend on the parameters.
 void Inference::check_fields_known(const Declaration& declaration, ListKind kind) {
     if (script_.names_missing) return;
     const auto check_symbol = [&](const Symbol& symbol, diagnostics::Span span) {
@@ -233,8 +233,8 @@ TypeId function_type(TypeStore& store, const std::vector<std::vector<TypeId>>& g
 
 }  // namespace
 
-// Infers the type of an equation. Checks the patterns twice: the body may determine the type of a variable, and a
-// dotted pattern may then match more.
+// Infers the type of an equation. Checks the patterns again after the body: the body may determine the type of a
+// variable, and a dotted pattern may then match more fields.
 TypeId Inference::infer_equation(const EquationTerm& equation) {
     std::vector<std::vector<TypeId>> groups;
     const auto patterns = [&] {
@@ -296,7 +296,7 @@ void Inference::check_value(const Declaration& declaration) {
     terms_.set_span(declaration.pattern.syntax->span);
     left = unifier_.evaluate_dots(left);
     right = unifier_.evaluate_dots(right);
-    // c.x splits an event only if c is a channel. The same rule applies to arguments of functions.
+    // For c.x, the left side splits an event only if c is a channel. Parameters of functions have the same rule.
     const bool splits = store_.kind(left) == TypeKind::dot;
     (void)(splits ? unifier_.unify_one_way(left, right) : unifier_.unify_one_way(right, left));
 }
@@ -317,8 +317,8 @@ void Inference::check_nametype(const Declaration& declaration) {
 
 // ---------------------------------------------------------------- channels and datatypes
 
-// Returns the type of the elements that a written type denotes. The written type may be a set, or a tuple or dot of
-// sets.
+// Returns the type of the elements that a written type denotes. A written type is a set, or a tuple or dot of written
+// types.
 TypeId Inference::element_type(TypeId type) {
     const TypeStore::Depth guard(store_);
     type = store_.head(type);
@@ -357,8 +357,8 @@ void Inference::check_channel(const Declaration& declaration) {
     for (const Symbol* symbol : declaration.binds) (void)terms_.unify(declaration.span, symbol->scheme.type, type);
 }
 
-// Returns the type of the fields of a channel. An annotation `A => B => Event` states that the fields are a set of A
-// and a set of B.
+// Returns the type of the fields of a channel. If its annotation is `A => B => Event`, its fields are a set of A and a
+// set of B.
 TypeId Inference::channel_fields(const Declaration& declaration) {
     constexpr Constraints needed = can_equal | can_input;
     if (declaration.annotation == nullptr) return infer_fields(*declaration.body, needed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Infers types of modules with parameters and of instances. An instance has the types of its module, with two changes:
-// the types of the arguments replace those of the parameters, and new datatypes replace those of the module.
+// Infers types of modules with parameters and of instances. The names of an instance have the types of the module,
+// except that the types of the arguments replace those of the parameters, and that the instance has new datatypes.
 #include <algorithm>
 #include <set>
 
@@ -9,8 +9,8 @@
 
 namespace robochart::cspm::types {
 
-// Checks a module with parameters. Its type is the tuple of the types of its parameters. Types inside the module that
-// depend on the parameters stay open.
+// Checks a module with parameters. The tuple of the types of its parameters is the type of the module. Types inside the
+// module may depend on these types, so they stay open.
 void Inference::check_module(const Declaration& declaration) {
     terms_.bind_locals(declaration.parameters);
     if (declaration.inside != nullptr) check_list(*declaration.inside, ListKind::module);
@@ -51,8 +51,8 @@ void Inference::check_instance(const Declaration& declaration) {
     find_comparable(declaration);
 }
 
-// Copies the types of a module for an instance. If several names share a type variable, for example that of an inner
-// module's parameter, their copies share a variable too.
+// Copies the types of a module for an instance. If the types of several names contain the same variable (for example,
+// the parameter of an enclosing module), then their copies contain the same new variable.
 void Inference::copy_types(const Declaration& instance, std::vector<std::pair<TypeId, TypeId>> variables) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> datatypes;
     std::set<TypeId> known;
@@ -77,8 +77,8 @@ void Inference::copy_types(const Declaration& instance, std::vector<std::pair<Ty
     }
 }
 
-// Determines which datatypes of an instance can be compared. As for datatypes of the script, this is assumed until the
-// fields of a constructor cannot be compared.
+// Determines which datatypes of an instance have values that can be compared. Assumes this of all of them until a
+// constructor has a field that cannot be compared.
 void Inference::find_comparable(const Declaration& instance) {
     for (const Copy& copied : instance.copies) {
         if (copied.copy->kind == SymbolKind::datatype) store_.set_comparable(copied.copy->datatype, true);

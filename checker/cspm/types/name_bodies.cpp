@@ -47,7 +47,7 @@ void NameResolver::resolve_name(const Expr& expr, Term& term) {
     term.symbol = value_named(expr.text, expr.span);
 }
 
-// Resolves a lambda. Every pattern of it is a separate scope, so names in a later pattern hide those in an earlier one.
+// Resolves a lambda. Each of its patterns is a scope, so a name in a later pattern hides an earlier one.
 void NameResolver::resolve_lambda(const Expr& expr, Term& term) {
     for (const PatternPtr& pattern : expr.patterns) {
         scope_ = new_scope(scope_);
@@ -67,7 +67,7 @@ void NameResolver::resolve_let(const Expr& expr, Term& term) {
 
 namespace {
 
-// Returns the number of parts of p ^ q ^ r whose length is not fixed.
+// Returns how many parts of p ^ q ^ r match sequences of any length.
 std::size_t open_parts(const Pattern& pattern) {
     if (pattern.kind == PatternKind::sequence || pattern.kind == PatternKind::string) return 0;
     if (pattern.kind != PatternKind::concat) return 1;
@@ -76,7 +76,7 @@ std::size_t open_parts(const Pattern& pattern) {
     return count;
 }
 
-// Returns true if the pattern combines two patterns for one field of a prefix, or for several fields.
+// Returns true if @@ combines patterns of one field or of several fields. Does not look into tuples or sequences.
 bool doubles_fields(const Pattern& pattern) {
     if (pattern.kind == PatternKind::both) return true;
     return pattern.kind == PatternKind::dot &&
@@ -115,8 +115,8 @@ void NameResolver::resolve_prefix(const Expr& expr, Term& term) {
 
 namespace {
 
-// Returns true if an argument is outside the scope of the clauses' variables. Such arguments are the processes of
-// renaming and linked parallel, and the interface of replicated parallels.
+// Returns true if the clauses do not bind variables in this argument. Such arguments are the processes of renaming and
+// linked parallel, and the interface of replicated parallels.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;
     return (kind == ExprKind::replicated_parallel || kind == ExprKind::replicated_synchronising) && arg == 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves declarations in phases, so that the declarations of a list may have any order. The phases are modules, then
-// channels and constructors (which determine the meaning of names in patterns), then all other names, and then the
-// right-hand sides.
+// Resolves the declarations of a list, which may have any order. Therefore it works in phases: modules; channels
+// and constructors, which determine the meaning of names in patterns; all other names; and then the right-hand
+// sides.
 #include <algorithm>
 #include <utility>
 
@@ -58,7 +58,7 @@ void NameResolver::flatten(const std::vector<DeclPtr>& decls, const Place& place
     std::size_t function = items.size();  // the item for the clauses of the current function
     for (const DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::annotation || decl->kind == DeclKind::include) continue;
-        // Clauses in two files are not combined: a clause in the included file is another declaration of the name.
+        // FDR does not combine clauses from two files. In an included file, a clause declares the name again.
         if (decl->kind == DeclKind::function && function < items.size() &&
             items[function].decls[0]->names == decl->names &&
             items[function].decls[0]->span.source == decl->span.source) {
@@ -270,7 +270,7 @@ void NameResolver::add_imports(const Item& item) {
             if (!line.empty() && line != "timed") {
                 finding.notes.push_back({decl.span, "'" + name + "' is " + std::string(line)});
             }
-            // This symbol prevents further findings for uses of the name.
+            // The symbol exists only so that uses of the name cause no further findings.
             symbol = &new_symbol(name, decl.span, SymbolKind::variable);
             symbol->failed = true;
         }
@@ -377,8 +377,8 @@ void NameResolver::body_of_function(Item& item) {
     }
 }
 
-// Resolves the constructors of a datatype or subtype. A subtype uses existing constructors; all constructors of
-// datatypes are declared by now.
+// Resolves the constructors of a datatype or subtype. In this phase, all constructors of datatypes are declared. So a
+// subtype can refer to them.
 void NameResolver::body_of_datatype(Item& item) {
     const Decl& decl = *item.decls[0];
     for (std::size_t i = 0; i < decl.constructors.size(); ++i) {
@@ -416,7 +416,7 @@ void NameResolver::body_of_assertion(Item& item) {
     if (decl.assertion.tau_priority) declaration.tau_priority = resolve_expression(decl.assertion.tau_priority);
 }
 
-// Resolves a print statement, in which unknown names are only a warning.
+// Resolves a print statement. An unknown name in it is only a warning.
 void NameResolver::body_of_print(const Item& item) {
     diagnostics::Diagnostics inside;
     diagnostics::Diagnostics* const outside = std::exchange(diagnostics_, &inside);

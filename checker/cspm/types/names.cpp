@@ -52,8 +52,8 @@ const Entry* NameResolver::find_plain(std::string_view name) const {
     return nullptr;
 }
 
-// Finds the meaning of a name. In FDR, M::x is one name in the scope. A variable called M does not hide it. An inner
-// module M without x does not hide an outer module M with x, but an inner module with a private x does.
+// Finds the meaning of a name. M::x is one name, as in FDR. So a variable M does not hide it, and neither does an inner
+// module M without x. But an inner module M with a private x hides an x in an outer module M.
 NameResolver::Lookup NameResolver::find(std::string_view name) {
     const std::size_t colons = name.find("::");
     if (colons == std::string_view::npos) {
@@ -89,7 +89,7 @@ NameResolver::Lookup NameResolver::find_inside(const Module& module, std::string
 
 namespace {
 
-/// Returns the predefined CSPM name that a name in another spelling or notation means.
+/// Returns the predefined name for which another spelling or notation is common.
 std::string_view predefined_for(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 14> rows = {{{"int", "Int"},
                                                                                      {"integer", "Int"},
@@ -118,7 +118,7 @@ std::vector<std::string> members_of(const Module& module, std::string_view prefi
 
 }  // namespace
 
-/// Returns the qualified name if the user omitted the name of the module.
+/// Returns the qualified name of a member if the user probably omitted the module.
 std::string NameResolver::in_a_module(std::string_view name) {
     for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent)
         for (const auto& [known, entry] : scope->names) {
@@ -129,8 +129,8 @@ std::string NameResolver::in_a_module(std::string_view name) {
     return "";
 }
 
-/// Suggests a correction for a qualified name: the last part if it is known unqualified, a member whose name is longer
-/// (the channel `moveCall` for `move`), or the most similar member.
+/// Suggests a correction for a qualified name. In this order: the last part alone if it is known; the only member whose
+/// name is longer (the channel `moveCall` for `move`); the most similar member.
 std::string NameResolver::suggest_member(std::string_view name) {
     const std::size_t colons = name.rfind("::");
     if (colons == std::string_view::npos) return "";
@@ -148,8 +148,8 @@ std::string NameResolver::suggest_member(std::string_view name) {
     return longer.empty() ? diagnostics::nearest_spelling(name, members) : longer;
 }
 
-// Suggests a name with the same spelling in a module. If there is none, suggests the most similar name in scope, which
-// may be a local, a member or a predefined name.
+// Suggests a correction for a name. In this order: a predefined name with another spelling; a member of a module; the
+// most similar of the names in scope and the predefined names.
 std::string NameResolver::suggest_name(std::string_view name) {
     if (const std::string_view own = predefined_for(name); !own.empty()) return std::string(own);
     if (std::string member = suggest_member(name); !member.empty()) return member;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the declaration of each name in a script. A declaration is in scope in all declarations of the same list.
-// Modules without parameters are flattened into their list. An instance has a copy of every name of its module.
+// Finds the declaration of each name in a script. A declaration is in scope in its whole list. Modules without
+// parameters are flattened into their list. An instance has copies of all names of its module.
 #pragma once
 
 #include <deque>
@@ -29,7 +29,7 @@ private:
     struct Scope {
         Scope* parent = nullptr;
         Names names;
-        std::map<std::string, Symbol*, std::less<>> types;  // datatypes that annotations may name
+        std::map<std::string, Symbol*, std::less<>> types;  // the datatypes that annotations may use
         std::map<std::string, TypeVariable*, std::less<>> type_variables;
         std::map<std::string, const Decl*, std::less<>> annotations;  // by name: its annotation
     };
@@ -54,7 +54,7 @@ private:
     };
     using Items = std::vector<Item>;
 
-    // The following functions resolve declarations in phases: modules, labels, other names, bodies.
+    // The following functions resolve declarations, phase by phase: modules, labels, other names, bodies.
     DeclarationList* resolve_declarations(const std::vector<DeclPtr>& decls, const Place& place);
     void flatten(const std::vector<DeclPtr>& decls, const Place& place, Items& items);
     Item& add_item(Items& items, const DeclPtr& decl, const Place& place);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A script with resolved names, which is the input of type inference. Every name points to its symbol, and every list
-// of declarations contains its dependencies. names.hpp creates it, and infer.hpp uses it.
+// Represents a script with resolved names, from which types are inferred. Every name refers to its symbol, and every
+// list of declarations contains its dependencies. names.hpp creates this representation and infer.hpp uses it.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Term;
 
 enum class SymbolKind : std::uint8_t { variable, constructor, channel, datatype, module, builtin };
 
-/// One declared name. Inference sets `scheme`. Before that, and if the declaration is ill-typed, the name has any type.
+/// A declared name. Before the inference sets `scheme`, the name has any type. An ill-typed name keeps any type.
 struct Symbol {
     std::string name;  ///< qualified, as printed
     Span span;
@@ -35,16 +35,16 @@ struct Symbol {
     [[nodiscard]] bool label() const { return kind == SymbolKind::constructor || kind == SymbolKind::channel; }
 };
 
-/// A type variable of an annotation, in scope below it.
+/// A type variable in an annotation. It can be used in the annotations below it.
 struct TypeVariable {
     std::string name;
     Constraints constraints = 0;
-    TypeId type = no_type;  ///< its rigid variable while the declaration is checked
+    TypeId type = no_type;  ///< the rigid variable that represents it while the declaration is checked
 };
 
 /// A resolved type from an annotation.
 struct TypeTerm {
-    /// For an extendable, `args` are the variable and the type. For a function, the result is the last of them.
+    /// Extendable: `args` contains the variable and then the type. Function: the last of `args` is the result.
     TypeKind kind = TypeKind::integer;
     std::vector<TypeTerm> args;
     TypeVariable* variable = nullptr;  ///< kind variable
@@ -106,15 +106,15 @@ struct ConstructorTerm {
     Span span;
 };
 
-/// A name of an instance and the corresponding name of its module.
+/// A name of an instance, and the name of the module from which it was copied.
 struct Copy {
     Symbol* original = nullptr;
     Symbol* copy = nullptr;
-    bool checked = true;  ///< whether the types of its fields must be known (false inside a module with parameters)
+    bool checked = true;  ///< false inside a module with parameters, where the types of fields may be unknown
 };
 
-/// A declaration of a list. A function includes all its clauses. Modules without parameters are flattened into their
-/// list.
+/// A declaration in a list. All clauses of a function are one declaration. Modules without parameters are flattened
+/// into their list.
 struct Declaration {
     DeclKind kind = DeclKind::value;
     Span span;
@@ -154,7 +154,7 @@ using Names = std::map<std::string, Entry, std::less<>>;
 struct Module {
     std::string name;
     Span span;
-    Symbol* symbol = nullptr;  ///< the type of this symbol is the tuple of the module's parameters
+    Symbol* symbol = nullptr;  ///< for a module with parameters: its type is the tuple of their types
     bool parametrised = false;
     std::size_t parameters = 0;
     const Module* outer = nullptr;     ///< the module that contains this module

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creates, reads and binds the types of the arena. Levels follow Rémy's scheme: a variable belongs to the innermost
-// open group of declarations that may still determine it.
+// Creates, reads and binds the types of the arena. Variables have levels (Rémy). The level shows the innermost open
+// group of declarations that may still determine the variable.
 #include "checker/cspm/types/type.hpp"
 
 #include "base/diagnostics/containers.hpp"
@@ -20,7 +20,7 @@ TypeKind primitive_kind(std::string_view name) {
     return TypeKind::variable;
 }
 
-// Creates the atoms: the first nodes are the atoms, each at the index of its kind.
+// Creates the atoms. They are the first nodes, and the index of an atom is its kind.
 TypeStore::TypeStore() {
     for (std::uint32_t kind = 0; kind < kinds; ++kind) {
         TypeNode node;
@@ -104,8 +104,8 @@ TypeId TypeStore::follow_links(TypeId type) {
     return end;
 }
 
-// Returns the type after following all bindings. If the variable of an extendable is bound to `argument, rest`, the
-// extendable is equal to the dotable of the argument and the rest.
+// Follows all bindings of a type and returns the result. An extendable whose variable is bound to an argument and a
+// rest is the same type as a dotable of that argument and that rest.
 TypeId TypeStore::head(TypeId type) {
     for (;;) {
         type = follow_links(type);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents types during inference as nodes of an arena. Links bind variables, and a trail undoes these bindings.
-// Dotted types follow the FDR manual: `a => b` (dotable) becomes b when it is dotted with an a. `a =>* b` (extendable)
-// becomes b after some unknown arguments, which are stored in the variable on its left.
+// Represents types during inference as nodes of an arena. A link binds a variable, and a trail records the bindings so
+// that they can be undone. Dotted types follow the FDR manual: `a => b` (dotable) becomes b when it is dotted with an
+// a. `a =>* b` (extendable) becomes b after an unknown number of arguments; the variable on its left collects them.
 #pragma once
 
 #include <cstdint>
@@ -37,14 +37,14 @@ enum class TypeKind : std::uint8_t {
 /// Returns the type with this name in CSPM (Int, Bool, Char, Proc or Event), or `variable` for any other name.
 [[nodiscard]] TypeKind primitive_kind(std::string_view name);
 
-/// The constraints on a type as a set of bits. Eq implies Set.
+/// A set of constraints on a type, one bit for each. Eq implies Set.
 using Constraints = std::uint8_t;
 enum Constraint : std::uint8_t {
-    can_equal = 1,    ///< Eq: values can be compared
-    can_order = 2,    ///< Ord: values can be ordered
-    can_input = 4,    ///< Complete: values can be input on channels
-    can_collect = 8,  ///< Set: values can be elements of sets
-    can_yield = 16,   ///< Yieldable: datatypes and events, the results of dotting
+    can_equal = 1,    ///< Eq: a script may compare the values
+    can_order = 2,    ///< Ord: a script may order the values
+    can_input = 4,    ///< Complete: a script may input the values on channels
+    can_collect = 8,  ///< Set: a script may build sets of the values
+    can_yield = 16,   ///< Yieldable: the result of a dot, which is a datatype or an event
 };
 
 struct Scheme {
@@ -55,18 +55,18 @@ struct Scheme {
 struct TypeNode {
     TypeKind kind = TypeKind::variable;
     Constraints constraints = 0;  ///< of variables
-    bool rigid = false;           ///< for variables of annotations, which are never bound
+    bool rigid = false;           ///< true for a variable of an annotation; it is never bound
     bool closed = false;          ///< contains no variables
-    bool plain = false;           ///< closed and without dotted types, so no dots must be evaluated
-    /// For variables: the group of declarations to which the variable belongs. It is generalised when the group is
-    /// closed.
+    bool plain = false;           ///< closed and without dotted types, so evaluating dots changes nothing
+    /// For variables: the level of the group of declarations to which the variable belongs. When the group ends, the
+    /// variable is generalised.
     std::uint32_t level = 0;
     TypeId link = no_type;    ///< the binding of a variable
     std::uint32_t first = 0;  ///< index of the arguments; datatype: its number; rigid: the index of its name
     std::uint32_t count = 0;
 };
 
-/// Thrown if types become too large, by deep nesting or exponential size.
+/// Thrown if a type becomes too deep or too large.
 struct TypeOverflow {
     bool deep = false;
 };
@@ -74,7 +74,7 @@ struct TypeOverflow {
 class TypeStore {
 public:
     static constexpr unsigned max_depth = 4000;
-    static constexpr std::uint64_t max_steps = 3'000'000;  ///< limit on the work on types in one declaration
+    static constexpr std::uint64_t max_steps = 3'000'000;  ///< limits the work on types for one declaration
 
     TypeStore();
 
@@ -91,14 +91,14 @@ public:
     [[nodiscard]] TypeId dotable_type(TypeId argument, TypeId result) {
         return make_type(TypeKind::dotable, {argument, result});
     }
-    /// Returns the type that becomes `result` after several arguments.
+    /// Returns the type that becomes `result` when it has received several arguments.
     [[nodiscard]] TypeId dotable_type(const std::vector<TypeId>& arguments, std::size_t from, TypeId result);
     [[nodiscard]] TypeId extendable_type(TypeId result, TypeId arguments) {
         return make_type(TypeKind::extendable, {result, arguments});
     }
 
     // The following functions read types.
-    /// Returns the type to which a variable is bound. Replaces an extendable with known arguments by its value.
+    /// Follows bindings of variables. Replaces an extendable whose arguments are known by its value.
     [[nodiscard]] TypeId head(TypeId type);
     [[nodiscard]] const TypeNode& node(TypeId type) const { return nodes_[type]; }
     /// Returns the kind of `head`.
@@ -106,19 +106,19 @@ public:
     [[nodiscard]] TypeId argument(TypeId type, std::size_t i) const { return args_[nodes_[type].first + i]; }
     [[nodiscard]] std::vector<TypeId> arguments(TypeId type) const;
     [[nodiscard]] const std::string& rigid_name(TypeId type) const { return names_[nodes_[type].first]; }
-    /// Returns the parts of a dotted type; nested dots are flattened. Any other type is its only part.
+    /// Returns the parts of a dotted type, without nested dots. Any other type is its only part.
     [[nodiscard]] std::vector<TypeId> dot_parts(TypeId type);
-    /// Returns the final result of a dotable, and appends its arguments (flattened). Other types have no arguments and
-    /// are their own result.
+    /// Returns the result of a dotable after all its arguments. Appends these arguments, without nested dots, to
+    /// `arguments`. A type of another kind is returned unchanged.
     [[nodiscard]] TypeId split(TypeId type, std::vector<TypeId>& arguments);
 
     // The following functions change variables.
     void bind(TypeId variable, TypeId type);
     void constrain(TypeId variable, Constraints constraints);
     void lower_level(TypeId variable, std::uint32_t level);
-    /// Lowers the level of each variable of a type to at most this level. Returns true if `sought` occurs in the type.
+    /// Lowers the level of each variable in `type` to at most `level`. Returns true if `sought` occurs in the type.
     bool lower_and_find(TypeId type, TypeId sought, std::uint32_t level);
-    /// Returns the variables of a type whose level is above the current level, sorted.
+    /// Returns the variables of a type that belong to levels above the current one. The result is sorted.
     [[nodiscard]] std::vector<TypeId> open_variables(TypeId type);
 
     // groups of declarations
@@ -130,7 +130,7 @@ public:
         if (++steps_ > max_steps) throw TypeOverflow{false};
     }
 
-    // undoing
+    // changes that can be undone
     [[nodiscard]] std::size_t trail_mark() const { return trail_.size(); }
     void recording(bool on) { recording_ = on; }
     void undo_to(std::size_t mark);
@@ -180,13 +180,13 @@ private:
     std::uint64_t steps_ = 0;
 };
 
-/// Prints types in FDR's notation. A writer uses the same names for variables in several types.
+/// Prints types in FDR's notation. All types that one writer prints use the same names for the same variables.
 class TypeWriter {
 public:
     explicit TypeWriter(TypeStore& store) : store_(store) {}
     /// Returns the text of the type without constraints.
     [[nodiscard]] std::string type_text(TypeId type);
-    /// Returns the text of the type, preceded by the constraints of its variables.
+    /// Returns the text of the type. The constraints of its variables precede it.
     [[nodiscard]] std::string with_constraints(TypeId type);
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the static types of CSPM scripts by FDR's rules (FDR manual, chapter CSPM, "Type system"): Hindley-Milner with
-// constraints, dotted types for channels and constructors, and modules. The evaluation of a well-typed script causes no
-// type errors.
+// Checks the types of CSPM scripts without running them, by FDR's rules (FDR manual, chapter CSPM, "Type system"):
+// Hindley-Milner inference with constraints, dotted types for channels and constructors, and modules. The evaluation of
+// a script without findings causes no type errors.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct KnownName {
     std::string type;  ///< in FDR's notation; "" if the declaration is ill-typed
 };
 
-/// A place where a name occurs. The beginning of each equation of a function is also such a place.
+/// A place where a name occurs. Each equation of a function is such a place, too.
 struct NameUse {
     Span span;
     std::size_t name = 0;  ///< index into `NameTable::names`
@@ -40,10 +40,10 @@ struct NameTable {
     std::vector<NameUse> uses;  ///< sorted by place
 };
 
-/// Checks the names and types of a whole script, in which `read_file` has replaced includes by their contents. Findings
-/// are CSPM-T rules. Returns the types of the script's names in the order of declaration. Names of ill-typed
-/// declarations have no type. Wrong input causes findings and never exceptions; types that are too deep or too large
-/// are findings, too. If `table` is not null, it receives all names by place.
+/// Checks the names and types of a whole script. `read_file` must already have replaced the includes. Findings are
+/// CSPM-T rules. Returns the types of the names in the order of declaration; ill-typed declarations have none. Never
+/// throws for wrong input: types that are too deep or too large are findings, too. If `table` is not null, it receives
+/// all names by place.
 std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostics& diagnostics,
                                    NameTable* table = nullptr);
 

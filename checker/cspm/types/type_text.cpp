@@ -9,7 +9,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-// Precedences: dotted types bind more tightly than dotables. If an argument of a dotable is a dotable, it has
+// Precedences. A dotted type binds more tightly than a dotable. A dotable that is an argument of another dotable gets
 // parentheses.
 enum Binding : int { loosest = 0, dot_part = 1, tightest = 2 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unifies plain types, variables, and dotted types (FDR manual, "Type system": dotable and extendable types). The rules
-// for dotted types were derived from tomgr/libcspm, which is FDR's own type checker.
+// Unifies plain types, variables, and dotted types (FDR manual, "Type system": dotable and extendable types).
+// tomgr/libcspm, which is FDR's own type checker, defines the rules for dotted types.
 #include "checker/cspm/types/unify.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-// Keeps an element on a stack during its lifetime, even if an exception ends it.
+// Puts an element on a stack. The destructor removes it, even after an exception.
 template <typename T>
 class Pushed {
 public:
@@ -101,7 +101,7 @@ TypeId Unifier::unify_variables(TypeId a, TypeId b) {
 
 TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
     if (store_.node(variable).rigid && has_kind(type, TypeKind::dot)) {
-        // A variable of an annotation is never equal to a dot, but the result of the dot may be equal to it.
+        // A dot is never equal to a variable of an annotation, but the result of the dot may be equal to it.
         const TypeId yielded = store_.head(evaluate_dots(type));
         if (!has_kind(yielded, TypeKind::dot)) return unify(variable, yielded);
     }
@@ -109,8 +109,8 @@ TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
     return substitute(variable, type);
 }
 
-// Binds a variable to a type. If the type contains the variable, it may still be equal to the variable after its dots
-// have been evaluated.
+// Binds a variable to a type. If the type contains the variable, both may still be equal once the dots in the type have
+// been evaluated.
 TypeId Unifier::substitute(TypeId variable, TypeId type) {
     if (store_.node(variable).rigid) mismatch();
     const std::uint32_t level = store_.node(variable).level;
@@ -140,8 +140,8 @@ TypeId Unifier::unify_arguments(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- dotted types
 
-// Unifies two types that need arguments. If the result of one is still extendable, it takes the remaining arguments of
-// the other.
+// Unifies two dotables. If only one of them has arguments left and the result of the other is an extendable, this
+// extendable takes these arguments.
 TypeId Unifier::unify_dotables(TypeId a, TypeId b) {
     Parts left;
     Parts right;
@@ -246,8 +246,8 @@ TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- findings
 
-// Returns the type for a message, with all dots evaluated that can be evaluated. This may bind variables, which is
-// harmless after an error.
+// Returns the type for a message, with as many dots evaluated as possible. The evaluation may bind variables. This does
+// no harm, because the declaration is already ill-typed.
 TypeId Unifier::type_to_display(TypeId type) {
     if (failing_) return type;
     failing_ = true;

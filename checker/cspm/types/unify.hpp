@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unifies types. The rules for dotted types are those of FDR. If a value is expected, a dotted value takes as many
-// arguments as its head can take ("longest match"). If an extendable is expected, the dotted value takes as few
-// arguments as possible.
+// Unifies types by FDR's rules for dotted types. If a value is expected, a dotted value takes as many arguments as its
+// head can take ("longest match"). If an extendable is expected, it takes as few arguments as possible ("shortest
+// match").
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace robochart::cspm::types {
 
-/// A type error, thrown as an exception. The check of the enclosing declaration catches it.
+/// A type error as an exception. The code that checks the enclosing declaration catches it.
 struct TypeFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;
@@ -23,12 +23,12 @@ struct TypeFault {
 
 class Unifier {
 public:
-    /// `here` is the place for findings. The caller updates it.
+    /// `here` is where findings are reported. The caller changes it for each part that it checks.
     Unifier(TypeStore& store, const diagnostics::Span& here) : store_(store), here_(here) {}
 
     /// Makes both types equal and returns the result. Throws TypeFault if they cannot be equal.
     TypeId unify(TypeId expected, TypeId actual);
-    /// Unifies the types of a pattern and its argument. A dotted value in them must not be split.
+    /// Unifies the types of a pattern and its argument. The pattern must not split a dotted value of the argument.
     TypeId unify_one_way(TypeId expected, TypeId actual);
     /// Makes a type satisfy a constraint. Throws TypeFault if this is impossible.
     void constrain(Constraint constraint, TypeId type);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses with the precedences of FDR's grammar (libcspm, Parser.ppy): `.` binds most tightly; `=>`, `=>*` and `->` are
+// Parses with the precedences of FDR's grammar (libcspm, Parser.ppy). `.` binds most tightly. `=>`, `=>*` and `->` are
 // right-associative.
 #include "checker/cspm/types/written_type.hpp"
 
@@ -52,7 +52,7 @@ private:
         return left;
     }
 
-    // Reads the rest of a function type: in (A, B) -> C, the types in the parentheses are the arguments.
+    // Reads a function type after its arguments. In (A, B) -> C, the arguments are the types in parentheses.
     WrittenType read_function(WrittenType arguments, bool grouped) {
         WrittenType result{TypeKind::function, "", {}};
         if (grouped && arguments.kind == TypeKind::tuple) {
@@ -95,7 +95,7 @@ private:
         return result;
     }
 
-    // Reads a type in parentheses: (T) is a group; (T, U) is a tuple, or the arguments of a function.
+    // Reads a type in parentheses. (T) is T itself. (T, U) is a tuple, or the arguments of a function.
     WrittenType read_parenthesis(bool& grouped) {
         grouped = true;
         WrittenType result{TypeKind::tuple, "", {}};

@@ -10,8 +10,8 @@
 
 namespace robochart::cspm::types {
 
-/// A type whose names are stored as text. The kind `variable` represents any name. The parts of an extendable are the
-/// variable and then the result. The last part of a function is the result.
+/// A type as an annotation contains it. Kind `variable`: any name. An extendable has two parts: its variable and its
+/// result. The last part of a function is its result.
 struct WrittenType {
     TypeKind kind = TypeKind::variable;
     std::string name;

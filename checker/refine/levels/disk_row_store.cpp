@@ -17,7 +17,7 @@ using lts::Word;
 
 namespace {
 
-// How many sixteenths of the memory the filter, the open level and the rows put aside get.
+// The memory is divided into sixteen parts. Shares of the filter, the open level and the rows put aside:
 constexpr std::uint64_t filter_part = 13, open_part = 2, aside_part = 1;
 constexpr Level no_level = std::numeric_limits<Level>::max();
 
@@ -51,8 +51,8 @@ DiskRowStore::~DiskRowStore() {
     if (bounds_.report) bounds_.report(figures_);
 }
 
-/// For the open level the result is only a lower bound: a row that was found again after it had been written is in
-/// several runs.
+/// For the open level, returns only a lower bound. Several runs may contain the same row, if it was found again after
+/// it had been written, so their lengths cannot be added.
 std::uint64_t DiskRowStore::rows(Level level) const {
     return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest_run());
 }
@@ -79,8 +79,8 @@ std::uint64_t DiskRowStore::rows_sorted_at_once() const {
     return std::max<std::uint64_t>(most_open_ / 4, 64);
 }
 
-/// Writes the rows of the open level as runs. The rows are sorted in pieces, because each row of a piece exists three
-/// times in memory while it is sorted.
+/// Writes the rows of the open level as runs. Sorts one piece after the other, because a row exists three times in
+/// memory while it is sorted.
 void DiskRowStore::write_open() {
     note_peak();
     const auto piece = static_cast<StateIndex>(rows_sorted_at_once());
@@ -91,8 +91,8 @@ void DiskRowStore::write_open() {
     renew_open();
 }
 
-/// Empties the store of the open level. If it was full, it will probably become full again, so its new table is
-/// allocated with full size.
+/// Empties the store of the open level. If it was full, it will probably be full again, so its new table has the full
+/// size at once.
 void DiskRowStore::renew_open() {
     const bool full = open_->size() >= most_open_;
     open_ = new_store();
@@ -170,8 +170,8 @@ bool DiskRowStore::wants_to_settle() const {
 
 namespace {
 
-/// Compares two rows of `width` words. The result is negative if `a` is less than `b`, 0 if they are equal, and
-/// positive if `a` is greater.
+/// Compares two rows of `width` words. Returns a negative number if `a` is less than `b`, 0 if both are equal, and
+/// otherwise a positive number.
 int compare_rows(const Word* a, const Word* b, std::size_t width) {
     for (std::size_t i = 0; i < width; ++i)
         if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
@@ -182,8 +182,8 @@ int compare_rows(const Word* a, const Word* b, std::size_t width) {
 class Sought {
 public:
     Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
-    /// Advances to the first row that is not less than `row`, in increasing steps (Bentley and Yao, Information
-    /// Processing Letters 5(3), 1976). Returns false if there is no such row.
+    /// Advances to the first row that is not less than `row`. Doubles its steps to find it (Bentley and Yao,
+    /// Information Processing Letters 5(3), 1976). Returns false if there is no such row.
     bool seek_row(const Word* row) {
         if (at_ == end() || !is_before(at_, row)) return at_ != end();
         std::size_t step = stride();
@@ -233,8 +233,8 @@ private:
 
 }  // namespace
 
-/// Removes the rows that this level contains, unless the row itself belongs to an earlier level. Blocks that cannot
-/// contain such rows are not read.
+/// Removes the rows that this level contains, except those that belong to an earlier level themselves. Does not read
+/// blocks that cannot contain any of these rows.
 void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& rows) {
     Sought sought(rows, width());
     const auto wants = [&](StateView first, StateView next) {
@@ -309,8 +309,8 @@ void DiskRowStore::forget_aside() {
     aside_.clear();
 }
 
-/// Rolls back and refills the filter, because the old filter would report rows of later levels as duplicates when they
-/// are found again.
+/// Rolls back and fills the filter again. The old filter would reject rows of later levels as duplicates when the
+/// search finds them again.
 void DiskRowStore::roll_back_to(Level level) {
     assert(late_->size() == 0 || level <= late_level_);  // `level` is the least level of all ranks
     forget_aside();
@@ -331,8 +331,8 @@ void DiskRowStore::roll_back_to(Level level) {
     late_level_ = no_level;
 }
 
-/// Passes the rows put aside, and the rows that are missing in closed levels. A run that continues from the checkpoint
-/// treats all of these rows as unsure.
+/// Passes on all rows put aside and all missing rows of closed levels. A run that continues from the checkpoint treats
+/// them as unsure.
 void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     aside_.each_piece([&](const std::vector<Word>& rows) { take(rows); });
     std::vector<Word> rows;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the communication between the ranks of a search. Every rank owns a part of the rows. All calls are
-// collective: every rank makes the same calls in the same order.
+// Defines how the ranks of a search communicate. Each rank owns a part of the rows. All calls are collective: all ranks
+// make the same calls in the same order.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ namespace robochart::refine {
 
 using Words = std::vector<lts::Word>;
 
-/// Returns the number of the rank that owns a row with this hash (lts::StateStore::hash). The number is less than
-/// `ranks` and is the same in every run. The function mixes the hash again, so that the rows of one rank are spread
-/// over the whole table of this rank.
+/// Returns which rank owns a row with this hash (lts::StateStore::hash). The result is less than `ranks` and
+/// the same in every run. The hash is mixed again; otherwise the rows of a rank would fill only a part of its
+/// table.
 [[nodiscard]] inline unsigned owner_of(std::uint64_t hash, unsigned ranks) {
     hash = (hash ^ hash >> 29U) * 0xBF58476D1CE4E5B9ULL;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
@@ -44,15 +44,15 @@ public:
     /// Returns the number of ranks that are threads of this program and share its memory.
     [[nodiscard]] virtual unsigned ranks_here() const { return 1; }
 
-    /// Sends the messages in `out` to their ranks, and stores the messages from all ranks in `in`. The total must be
-    /// less than 2^31 words.
+    /// Sends each message in `out` to its rank. Stores the messages from all ranks in `in`. All messages together must
+    /// have fewer than 2^31 words.
     virtual void all_to_all(const Messages& out, Messages& in) = 0;
     /// Replaces each value by its sum over all ranks.
     virtual void sum(std::span<std::uint64_t> values) = 0;
     /// All-gather: returns the words `own` of all ranks, at every rank. The function is intended for few words.
     [[nodiscard]] virtual std::vector<Words> gather(const Words& own) = 0;
-    /// Broadcast: replaces the bytes by the bytes of rank 0. A rank may wait for a long time. While it waits, it does
-    /// not use its processor.
+    /// Broadcast: replaces the bytes by those of rank 0. A rank may have to wait long. Its processor is free while it
+    /// waits.
     virtual void broadcast(std::string& bytes) = 0;
 
     /// Statistics about the messages that this rank has sent to others by all_to_all.
@@ -65,8 +65,8 @@ public:
     /// Returns the memory use of messages in transit.
     [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 
-    /// Records that all ranks leave their current work together (SharedWork). The next call of `begin_together` clears
-    /// this record.
+    /// Records that all ranks stop their current work together (SharedWork). The next `begin_together` removes this
+    /// record.
     virtual void leave_together() { left_together_ = true; }
     virtual void begin_together() { left_together_ = false; }
     [[nodiscard]] virtual bool left_together() const { return left_together_; }

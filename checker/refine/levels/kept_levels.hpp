@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contains the common part of row stores that use files. This part writes the levels of one rank to files and decides
-// when to write checkpoints. It also continues searches from a checkpoint. Any number of ranks may have written this
-// checkpoint.
+// The part that all row stores with files have in common. Writes the levels of one rank to files, and decides
+// when to write checkpoints. Also continues a search from a checkpoint, even if another number of ranks has
+// written it.
 #pragma once
 
 #include <chrono>
@@ -41,8 +41,8 @@ class KeptLevels {
 public:
     explicit KeptLevels(KeptWhere where);
 
-    /// A function that receives an unsure row. The row may be a duplicate of an earlier row. If it is not a duplicate,
-    /// it belongs to `level`.
+    /// Receives an unsure row. The row may be a duplicate of an earlier row. Otherwise it belongs to
+    /// `level`.
     using TakeUnsure = std::function<void(Level level, lts::StateView row)>;
     /// Continues from the checkpoint, if there is one. Afterwards, files() contains the levels that all ranks of the
     /// checkpoint have closed, and the record describes these levels. Calls `unsure` after the levels have been loaded.

@@ -11,11 +11,11 @@
 
 namespace robochart::csp_emit {
 
-/// Executes the first item in the configuration that needs no event. Returns no value if every item needs an event.
-/// `branching` is true if the function already contains a conditional.
+/// Executes the first item of the configuration that needs no event. Returns no value if there is none. `branching`:
+/// the function already contains a conditional.
 [[nodiscard]] std::optional<Next> silent_step(MachineTables&, const Activation& config, const Values&, bool branching);
-/// Returns the event of the first item of a thread, or no value if the thread only waits for time or is stuck. `alone`
-/// is true if no other thread runs.
+/// Returns the event of the first item of a thread. Returns no value if the thread only waits for time or cannot
+/// continue. `alone`: no other thread runs.
 [[nodiscard]] std::optional<Branch> head_branch(MachineTables&, const RunningThread&, bool alone);
 
 }  // namespace robochart::csp_emit

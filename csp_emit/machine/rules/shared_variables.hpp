@@ -19,12 +19,12 @@ namespace robochart::csp_emit {
 /// Adds the step that leaves `node`, if this step is observable. `next` is the action that follows, and may be null.
 void left_before(const MachineTables&, const ir::StmtPtr& next, ir::NodeId node, const ir::Transition&,
                  std::vector<Item>& items);
-/// Adds a step that leaves the source of the transition, if the machine shows its active states. With this step an
-/// observer sees that a state is left, even if the transition enters the state again. No other component writes before
-/// this step.
+/// Adds a step that leaves the source of the transition, if the machine shows its active states. So an observer sees
+/// that the state was left, even if the transition enters the same state again. No other component writes before this
+/// step.
 void left_and_shown(const MachineTables&, std::uint32_t frame, const ir::Transition&, std::vector<Item>& items);
-/// Returns the branch for the steps `exit` and `exited` of a node. These steps do not synchronise with other
-/// components, but other components may write until the steps happen.
+/// Returns the branch for the steps `exit` and `exited` of a node. They do not synchronise with other components, which
+/// may write until they happen.
 [[nodiscard]] Branch left_branch(MachineTables&, const RunningThread&);
 
 /// Returns the events `set_EXT_x` of all shared variables.

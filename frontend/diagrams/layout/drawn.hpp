@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lays out a level as a person drew it. The parts of the drawing that still fit are used, and missing parts are laid
-// out automatically.
+// Lays out a level as a person drew it. Keeps the parts of the drawing that still fit, and lays out all others
+// automatically.
 #pragma once
 
 #include "base/diagnostics/budget.hpp"

@@ -24,7 +24,7 @@ struct DrawnPort {
 };
 
 /// The route and the label of an edge as a person drew them. A bend or an end is stored relative to an anchor in each
-/// of the two boxes. If the sizes of the boxes have changed, the bend is placed between the two resulting points.
+/// of the two boxes. If a box has changed its size, these two positions differ; the bend is then placed between them.
 struct DrawnEdge {
     struct Bend {
         Point from_source, from_target;

@@ -16,9 +16,9 @@ namespace robochart::diagrams::layout {
 /// Places the labels of the squares in free space.
 void label_ports(std::vector<PlacedPort>& ports, const DrawnPorts& drawn, FreeSpace& space);
 
-/// Returns the squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their
-/// side. Other squares are placed in free space on the right side. A square that would cover the title is placed
-/// farther outside. `header` is the height of the part of the box above its inside.
+/// Places squares on the border of a box, and their labels outside. Squares in the drawing keep their side. Others go
+/// to free space on the right side. If a square would cover the title, it is moved outwards. `header` is the height of
+/// the part of the box above its inside.
 [[nodiscard]] std::vector<PlacedPort> ports_as_drawn(const Rectangle& box, double header, const DrawnPorts& drawn);
 
 }  // namespace robochart::diagrams::layout

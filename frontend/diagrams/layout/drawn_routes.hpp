@@ -16,8 +16,8 @@ struct RouteEnd {
     Shape shape = Shape::box;
 };
 
-/// Returns the drawn route from border to border. It is empty if the drawing has no route or the route no longer fits
-/// the boxes. It is also empty if the drawing has only a diagonal line but the route must be orthogonal.
+/// Returns the drawn route from border to border. Returns an empty list if the drawing has no route, if the route no
+/// longer fits the boxes, or if it is a single diagonal line although routes must be orthogonal.
 [[nodiscard]] std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to);
 
 /// Returns an orthogonal route that avoids existing elements.
