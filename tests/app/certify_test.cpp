@@ -55,7 +55,8 @@ TEST(Certify, JsonHasTheFigures) {
 }
 
 TEST(Certify, ReportsSayWhyACertificateIsAtTheProductLevel) {
-    const std::string script = "printf 'external chase\\nchannel a\\nP = chase(a -> P)\\nassert P [FD= P\\n' > s.csp\n";
+    const std::string script =
+        "printf 'external chase\\nchannel a\\nQ = a -> Q\\nP = chase(Q)\\nassert P [FD= P\\n' > s.csp\n";
     const Ran ran = run_with_answer("certified 1 1", script + "\"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_THAT(ran.out, HasSubstr("holds (certified: product level, unreduced, 1 pair, 1 component; not at the term "
                                    "level, because it uses chase); certificate certs/1-P-FD-P\n"));

@@ -574,11 +574,20 @@ let split_forges : (split -> split) list =
   let changed change x = { x with whole_tree = tree change x.whole_tree } in
   let without = changed (function (Hidden (_, t) | Renamed (_, t) | Prioritised (_, t)) when Random.bool () -> t | t -> t) in
   let one_side = changed (function Beside (_, _, _, t, u) when Random.int 3 = 0 -> if Random.bool () then t else u | t -> t) in
-  let other_sets = changed (function Beside (a, b, c, t, u) when Random.bool () -> Beside (c, a, b, t, u) | Hidden (a, t) when a > 0 -> Hidden (a - 1, t) | t -> t) in
+  let other_sets = changed (function Beside (a, b, c, t, u) when Random.bool () -> (match Random.int 3 with 0 -> Beside (c, b, c, t, u) | 1 -> Beside (a, c, c, t, u) | _ -> Beside (a, b, a, t, u)) | Hidden (a, t) when a > 0 -> Hidden (a - 1, t) | t -> t) in
   let swapped = changed (function Beside (a, b, c, t, u) when Random.bool () -> Beside (a, b, c, u, t) | t -> t) in
   let twice x =
     let first k = List.find (fun j -> x.meaning j 0 = x.meaning k 0) (leaves x.whole_tree) in
     changed (function Leaf k when Random.int 3 > 0 -> Leaf (first k) | t -> t) x in
+  (* Terms with the same operator are one state. *)
+  let operator = function
+    | Offer l -> (0, List.map fst l) | Call k -> (1, [ k ]) | Choice (a, _, _) -> (2, [ a ]) | Sliding _ -> (3, []) | Sequence _ -> (4, [])
+    | Interrupt (a, _, _) -> (5, [ a ]) | Throw (a, _, _) -> (6, [ a ]) | Parallel (a, b, c, _, _) -> (7, [ a; b; c ])
+    | Hide (a, _) -> (8, [ a ]) | Rename (r, _) -> (9, [ r ]) | Prioritise (o, _) -> (10, [ o ]) in
+  let alike x =
+    { x with number_of = (fun k p ->
+        let same v = operator (x.meaning k v) = operator p in
+        Option.value ~default:(x.number_of k p) (List.find_opt same (List.init (x.states k) Fun.id))) } in
   let first = salted (fun salt x -> { x with number_of = (fun k p -> if x.number_of k p = 0 then 0 else if hash salt k mod 2 = 0 then 0 else x.number_of k p) }) in
   let started x = { x with meaning = (fun k v -> if x.states k > 1 && v = 0 then x.meaning k 1 else x.meaning k v) } in
   (* Only the first state is checked; the others confuse their targets. *)
@@ -587,7 +596,7 @@ let split_forges : (split -> split) list =
   let emptied = salted (fun salt x -> { (confused x) with states = (fun k -> if hash salt k mod 2 = 0 then 0 else x.states k) }) in
   let short x = { x with enough = Random.int 4 } in
   let fewer x = { x with slots = max 0 (x.slots - 1) } in
-  [ confused; smaller; other_meaning; stopped; deaf; without; one_side; other_sets; swapped; twice; first; started; emptied; outside; short; fewer ]
+  [ confused; alike; smaller; other_meaning; stopped; deaf; without; one_side; other_sets; swapped; twice; first; started; emptied; outside; short; fewer ]
 
 (** Reductions that follow steps which are not confluent. *)
 
