@@ -72,7 +72,7 @@ struct CertificateReport {
     Certification certification = Certification::unchecked;
     std::uint64_t pairs = 0;       ///< the pairs that robochart-certify has checked
     std::uint64_t components = 0;  ///< the number of components of the implementations
-    std::string reduction;         ///< what robochart-certify reduced the search by: "confluent taus"; "" if unreduced
+    std::string reduction = {};    ///< what robochart-certify reduced the search by: "confluent taus"; "" if unreduced
 };
 
 /// One assertion with its answer.

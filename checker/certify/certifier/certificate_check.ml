@@ -148,8 +148,10 @@ let guarded f =
 let reduction_for (claim : Formats.claim) plan =
   let impl = claim.implementation in
   let any = claim.question = Formats.Property Deadlock_free in
-  Follow.reduction_of (merged plan.shape.merges impl.system) impl.sizes plan.shape.packs
-    (compact plan.shape impl.system) ~any
+  if not (shape_ok plan.shape impl.system) then None
+  else
+    Follow.reduction_of (merged plan.shape.merges impl.system) impl.sizes plan.shape.packs
+      (compact plan.shape impl.system) ~any
 
 (* Finds the pairs while the check visits them. Returns the search, and whether the check accepts. *)
 let check_on_the_way ?reduction plan ~most =
