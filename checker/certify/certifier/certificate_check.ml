@@ -172,8 +172,10 @@ let guarded f =
 let reduction_for (claim : Formats.claim) plan =
   let process = plan.process in
   let any = claim.question = Formats.Property Deadlock_free in
-  Follow.reduction_of (merged plan.shape.merges process.system) process.sizes plan.shape.packs
-    (compact plan.shape process.system) ~any
+  if not (shape_ok plan.shape process.system) then None
+  else
+    Follow.reduction_of (merged plan.shape.merges process.system) process.sizes plan.shape.packs
+      (compact plan.shape process.system) ~any
 
 (* Finds the pairs while the check visits them. Returns the search, and whether the check accepts. *)
 let check_on_the_way ?reduction plan ~most =

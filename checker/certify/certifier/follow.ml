@@ -6,7 +6,13 @@ open Verified
 type 'a array = 'a Array.t
 
 (* Larger processes are not reduced. *)
-let most_rules = 200_000
+let most_rules = 100_000
+
+(* A process with more states of components, times its events, is not reduced. *)
+let most_able = 100_000_000
+
+(* Learning ends when proofs have examined so many rules, or when the check would have to examine so many. *)
+let most_work = 40_000_000
 
 (* A proof tracks at most this many components in addition to the components of its rule. *)
 let most_beside = 4
@@ -69,6 +75,9 @@ type t = {
   mutable entries : (int * cube) array;
   mutable entry_count : int;
   mutable learning : bool;
+  mutable work : int;  (** how many rules the proofs have examined *)
+  mutable check_work : int;  (** how many rules the check must examine for the entries *)
+  touching : int array;  (** by component: the number of rules that require an event or assign a state *)
   stamps : int array;  (** by rule: the last joint state in which it was examined *)
   mutable stamp : int;
   performs : (int * int) list array;  (** by rule: the components and events that it requires *)
@@ -156,6 +165,7 @@ let prepare (process : system) sizes (layout : layout) event_count ~any =
       leaders = Array.map (fun rows -> Array.make (Array.length rows) None) edges;
       first = Array.make (Array.length rules) (-1); queries = [||]; query_count = 0; query_numbers = Keys.create 1000;
       entry_numbers = Keys.create 1000; entries = [||]; entry_count = 0; learning = true;
+      work = 0; check_work = 0; touching = Array.make count 0;
       stamps = Array.make (Array.length rules) 0; stamp = 0; known = Keys.create 1000; words = List.length layout.groups; fields = fields_of layout; led = 0 }
   in
   for n = Array.length rules - 1 downto 0 do
@@ -166,6 +176,7 @@ let prepare (process : system) sizes (layout : layout) event_count ~any =
       w.items;
     let around = List.sort_uniq Int.compare (List.concat_map (fun g -> if g.prior then g.around else []) w.passages) in
     List.iter (fun k -> guarding.(k) <- n :: guarding.(k)) around;
+    List.iter (fun k -> if k < count then t.touching.(k) <- t.touching.(k) + 1) t.parts.(n);
     let candidate = (any || w.performed = 0) && not (List.exists (fun g -> g.prior) w.passages)
                     && List.for_all (fun k -> k < count) t.parts.(n) in
     if candidate then begin
@@ -197,6 +208,7 @@ let add_entry t rule cube =
       t.entries.(j) <- (rule, cube);
       t.entry_count <- j + 1;
       Keys.add t.entry_numbers key j;
+      t.check_work <- List.fold_left (fun sum (k, _) -> sum + t.touching.(k)) t.check_work cube;
       j
 
 exception Disturbed of int option
@@ -215,7 +227,8 @@ let is_overruled t rule n =
    `Disturbed` with the first rule for which a condition fails. *)
 let examine t rule slots values =
   let r = t.rules.(rule) and cube = cube_of slots values in
-  if not (List.for_all (sure t.process t.row cube) r.items) then raise (Disturbed None);
+  let in_range (k, v) = v < Array.length t.edges.(k) in
+  if not (List.for_all in_range cube && List.for_all (sure t.process t.row cube) r.items) then raise (Disturbed None);
   t.stamp <- t.stamp + 1;
   let found = ref [] in
   let impossible = function
@@ -223,6 +236,7 @@ let examine t rule slots values =
     | Sets _ -> false
   in
   let consider n =
+    t.work <- t.work + 1;
     if t.stamps.(n) <> t.stamp then begin
       t.stamps.(n) <- t.stamp;
       let w = t.rules.(n) in
@@ -302,7 +316,7 @@ let rec answer t (locals : int array) q =
   | Some No -> None
   | Some (Larger q) -> answer t locals q
   | None ->
-      if (not t.learning) || (query.proved = 0 && query.looked > most_in_vain) then None
+      if (not t.learning) || t.work > most_work || t.check_work > most_work || (query.proved = 0 && query.looked > most_in_vain) then None
       else begin
         let found = prove t q (Array.to_list (Array.map (fun k -> locals.(k)) query.slots)) in
         Numbers.replace query.answers !key found;
@@ -458,7 +472,7 @@ let learn t (lts : Search.words lts) =
 
 (* Returns a reduction of the process, if there is one that helps. *)
 let reduction_of (process : system) sizes (layout : layout) (lts : Search.words lts) ~any =
-  if count_rules process > most_rules then None
+  if count_rules process > most_rules || List.fold_left ( + ) 0 sizes > most_able / layout.event_count then None
   else
     let t = prepare process sizes layout layout.event_count ~any in
     if Array.for_all (fun q -> q < 0) t.first then None
