@@ -11,7 +11,6 @@
 #include <cassert>
 #include <deque>
 #include <limits>
-#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -84,11 +83,13 @@ public:
 
     void run();
     [[nodiscard]] Block block(StateIndex state) const { return block_[state]; }
+    [[nodiscard]] std::size_t block_count() const { return members_.size(); }
     [[nodiscard]] const Signature& signature(Block block) const { return signatures_[block]; }
 
 private:
     void reverse_edges();
     void mark_dirty(StateIndex state);
+    [[nodiscard]] bool is_alone(StateIndex state) const { return members_[block_[state]].size() == 1; }
     void refine(Block block);
     [[nodiscard]] Signature signature_of(StateIndex state) const;
     void split(Block block, Parts& parts, bool clean_states);
@@ -107,6 +108,7 @@ private:
     std::vector<const Signature*> fresh_;  // by state: the signature that `refine` has just computed; or null
     std::vector<States> dirty_;            // by block: its marked states
     std::vector<bool> is_dirty_;
+    std::vector<bool> is_stale_;  // by block: it has one state, and its signature may have changed
     std::deque<Block> work_;
     std::vector<std::uint64_t> first_source_;
     std::vector<std::pair<StateIndex, Event>> sources_;
@@ -129,6 +131,7 @@ void Refinement::run() {
     members_.resize(1);
     dirty_.resize(1);
     signatures_.resize(1);
+    is_stale_.resize(1);
     is_dirty_.assign(graph_.size(), true);
     fresh_.assign(graph_.size(), nullptr);
     for (StateIndex state = 0; state < graph_.size(); ++state) {
@@ -142,10 +145,21 @@ void Refinement::run() {
         work_.pop_front();
         refine(block);
     }
+    for (Block block = 0; block < members_.size(); ++block) {
+        if (!is_stale_[block]) continue;
+        budget_.poll();
+        signatures_[block] = signature_of(members_[block].front());
+    }
 }
 
-/// Marks a state whose signature may have changed. Also marks all states from which inert taus lead to it.
+/// Marks a state whose signature may have changed, and the states that lead to it by inert taus. A block with one state
+/// cannot be split, and no other state leads to this state by inert taus. Its signature is recomputed at the end.
 void Refinement::mark_dirty(StateIndex state) {
+    if (is_dirty_[state]) return;  // the usual case, so the list below is not needed
+    if (is_alone(state)) {
+        is_stale_[block_[state]] = true;
+        return;
+    }
     States pending{state};
     while (!pending.empty()) {
         const StateIndex next = pending.back();
@@ -232,13 +246,14 @@ void Refinement::split(Block block, Parts& parts, bool clean_states) {
     const auto largest = std::ranges::max_element(parts.list(), {}, weight);
     if (with_clean != nullptr && &*largest != with_clean) add_clean_states(block, parts, *with_clean);
     assert(weight(*largest) > 0);
-    signatures_[block] = largest->signature;
-    for (const Part& part : parts.list()) {
+    signatures_[block] = std::move(largest->signature);
+    for (Part& part : parts.list()) {
         if (&part == &*largest) continue;
         const auto to = static_cast<Block>(members_.size());
         members_.emplace_back();
         dirty_.emplace_back();
-        signatures_.push_back(part.signature);
+        is_stale_.push_back(false);
+        signatures_.push_back(std::move(part.signature));
         move_states(part.states, to);
     }
     assert(dirty_.size() == members_.size() && signatures_.size() == members_.size());
@@ -274,22 +289,22 @@ void Refinement::move_states(const States& states, Block to) {
 /// Builds the quotient. Numbers the reachable blocks in breadth-first order, from the block of the initial state.
 class QuotientBuilder {
 public:
-    QuotientBuilder(const Refinement& refinement, StateIndex initial) : refinement_(refinement) {
+    QuotientBuilder(const Refinement& refinement, StateIndex initial)
+        : refinement_(refinement), numbers_(refinement.block_count(), no_state) {
         number_block(refinement.block(initial));
         for (std::size_t next = 0; next < order_.size(); ++next) add_edges(order_[next]);
     }
     Graph graph;
-    [[nodiscard]] StateIndex number_of(Block block) const {
-        const auto known = numbers_.find(block);
-        return known == numbers_.end() ? no_state : known->second;
-    }
+    [[nodiscard]] StateIndex number_of(Block block) const { return numbers_[block]; }
     [[nodiscard]] std::size_t size() const { return order_.size(); }
 
 private:
     StateIndex number_block(Block block) {
-        const auto [entry, fresh] = numbers_.emplace(block, static_cast<StateIndex>(order_.size()));
-        if (fresh) order_.push_back(block);
-        return entry->second;
+        if (numbers_[block] == no_state) {
+            numbers_[block] = static_cast<StateIndex>(order_.size());
+            order_.push_back(block);
+        }
+        return numbers_[block];
     }
     void add_edges(Block block) {
         std::vector<Edge> edges;
@@ -300,7 +315,7 @@ private:
         graph.finish_state();
     }
     const Refinement& refinement_;
-    std::map<Block, StateIndex> numbers_;
+    std::vector<StateIndex> numbers_;  // by block
     std::vector<Block> order_;
 };
 
@@ -312,11 +327,11 @@ Quotient minimise(const Graph& graph, Equivalence equivalence, diagnostics::Poll
     assert(graph.size() > 0);
     const bool branching = equivalence == Equivalence::branching_with_divergence;
     const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);
-    const Graph contracted = branching ? contract_components(graph, components) : graph;
-    Refinement refinement(contracted, equivalence, budget);
+    const Graph contracted = branching ? contract_components(graph, components) : Graph();
+    Refinement refinement(branching ? contracted : graph, equivalence, budget);
     refinement.run();
-    const QuotientBuilder builder(refinement, components.component[0]);
-    Quotient result{builder.graph, std::vector<StateIndex>(builder.size(), no_state), {}};
+    QuotientBuilder builder(refinement, components.component[0]);
+    Quotient result{std::move(builder.graph), std::vector<StateIndex>(builder.size(), no_state), {}};
     for (StateIndex state = 0; state < graph.size(); ++state) {
         const StateIndex number = builder.number_of(refinement.block(components.component[state]));
         result.state_of.push_back(number);

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "base/diagnostics/containers.hpp"
+#include "checker/lts/bisimulation.hpp"
 #include "checker/lts/state_store.hpp"
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/not_compiled.hpp"
@@ -132,6 +133,51 @@ private:
     std::size_t& depth_;
 };
 
+/// Returns the events on which operands synchronise, with tau and tick. Returns no value if the skeleton has operators
+/// other than parallel, or operands that are compressed themselves.
+std::optional<EventSet> synchronised_events(const process::TermStore& terms, const Skeleton& skeleton) {
+    EventSet joint{process::tau, process::tick};
+    for (const Node& node : skeleton.nodes) {
+        if (node.kind == Node::Kind::leaf && node.op != Op::compress) continue;
+        if (node.kind != Node::Kind::operation || node.op != Op::parallel) return std::nullopt;
+        const EventSet& set = terms[process::SetId{terms[node.term].payload}];
+        joint.insert(joint.end(), set.begin(), set.end());
+    }
+    return joint;
+}
+
+/// Adds the events that occur in several components to the synchronised events.
+EventSet shared_events(const std::vector<ComponentPtr>& components, const EventSet& joint) {
+    EventSet all;
+    for (const ComponentPtr& component : components)
+        all.insert(all.end(), component->alphabet().begin(), component->alphabet().end());
+    std::ranges::sort(all);
+    EventSet shared = joint;
+    for (auto next = std::ranges::adjacent_find(all); next != all.end(); next = std::adjacent_find(next + 1, all.end()))
+        shared.push_back(*next);
+    diagnostics::sort_unique(shared);
+    return shared;
+}
+
+/// Returns true if the component has no tau, and if no two of the states that private events reach are bisimilar with
+/// respect to private events. At most `most_others` states are not reached by private events.
+bool private_events_distinguish(const Component& component, const EventSet& shared, diagnostics::Pollable& budget) {
+    constexpr std::size_t most_others = 4;
+    if (component.alphabet().empty() || component.alphabet().front() == process::tau) return false;
+    lts::Graph graph;
+    for (Local state = 0; state < component.size(); ++state) {
+        for (const Component::Edge& edge : component.edges(state)) {
+            const Event event = component.alphabet()[edge.event];
+            if (!std::ranges::binary_search(shared, event)) graph.add_edge({event, edge.target});
+        }
+        graph.finish_state();
+    }
+    const lts::Quotient quotient = lts::minimise(graph, lts::Equivalence::strong, budget);
+    const auto reached = static_cast<std::size_t>(
+        std::ranges::count_if(quotient.state_of, [](lts::StateIndex state) { return state != lts::no_state; }));
+    return quotient.graph.size() == reached && component.size() - reached <= most_others;
+}
+
 ComponentPtr component_of(process::Machine machine) {
     std::vector<std::vector<Component::RawEdge>> rows;
     for (const auto& edges : machine.edges) {
@@ -252,18 +298,57 @@ std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& 
     constexpr int deepest_call = 100;
     process::TermStore& terms = semantics_.terms();
     for (;;) {
-        std::optional<Skeleton> result = skeleton_of(terms, term, leaves, semantics_.left_out(), budget);
-        const std::size_t before = semantics_.left_out().size();
+        std::set<TermId> omitted = semantics_.left_out();
+        if (operands_ > 0) omitted.insert(kept_apart_.begin(), kept_apart_.end());
+        std::optional<Skeleton> result = skeleton_of(terms, term, leaves, omitted, budget);
+        const std::size_t before = semantics_.left_out().size() + kept_apart_.size();
         const auto attempt = [&](TermId candidate) {
-            if (terms[candidate].op == Op::compress) semantics_.successors(candidate);
+            if (terms[candidate].op != Op::compress) return;
+            if (operands_ > 0 && judged_.insert(candidate).second && has_independent_parts(candidate, budget))
+                kept_apart_.insert(candidate);
+            else
+                semantics_.successors(candidate);
         };
         if (result) {
             for (NodeId id : result->slots) attempt(result->nodes[id].term);
         } else {
             attempt(terms.unfold_calls(term, deepest_call));
         }
-        if (semantics_.left_out().size() == before) return result;
+        if (semantics_.left_out().size() + kept_apart_.size() == before) return result;
     }
+}
+
+/// Returns true if the machine of a compressed term would have as many states as the vectors of states of the operand's
+/// components, up to states after a joint event. The components are then kept apart in an operand of an enclosing
+/// compression: together they have fewer transitions, and each of them is pruned separately. The quotient of the
+/// enclosing compression is the same.
+///
+/// This is the case if parallel operators alone combine the components, no component has a tau, and in each component
+/// the private events distinguish the states that they lead to. *Proof.* A private event occurs in one component and in
+/// no synchronisation set, so a vector can perform it exactly if its component can, and it changes only this component.
+/// If two vectors are bisimilar, then for each component, their states are bisimilar in the component restricted to its
+/// private events. So these states are equal. Without taus, branching bisimilarity is strong bisimilarity.
+bool Compiler::has_independent_parts(TermId compressed, diagnostics::Pollable& budget) {
+    using process::Compression;
+    const process::Term& term = semantics_.terms()[compressed];
+    const Compression kind{term.payload};
+    if (kind == Compression::deter || kind == Compression::trace_watchdog || kind == Compression::failure_watchdog)
+        return false;  // the semantics does not support them
+    const TermId operand = term.children.front();
+    return process::unless_refused([&] {
+        const std::optional<Skeleton> skeleton =
+            skeleton_of(semantics_.terms(), operand, {}, semantics_.left_out(), budget);
+        if (!skeleton) return false;
+        const std::optional<EventSet> joint = synchronised_events(semantics_.terms(), *skeleton);
+        if (!joint) return false;
+        const std::vector<ComponentPtr> parts = components(*skeleton, budget);
+        double states = 1;
+        for (const ComponentPtr& part : parts) states *= static_cast<double>(part->size());
+        const EventSet shared = shared_events(parts, *joint);
+        return states >= static_cast<double>(few_states) && std::ranges::all_of(parts, [&](const ComponentPtr& part) {
+                   return private_events_distinguish(*part, shared, budget);
+               });
+    });
 }
 
 /// Returns the terms of prioritise inside the process whose components together have few states, outermost first.
@@ -425,9 +510,16 @@ std::optional<process::Machine> Compiler::explore(TermId term, lts::Equivalence 
     return without_names(RowCollector(explored, term, bounds_.compressed_states).run(budget));
 }
 
+std::optional<process::Machine> Compiler::explore_operand(TermId term, lts::Equivalence up_to,
+                                                          diagnostics::Pollable& budget) {
+    const DepthGuard guard(operands_);
+    return explore(term, up_to, budget);
+}
+
 std::optional<process::Machine> MachineCompressor::explore(TermId operand, process::Compression kind,
                                                            diagnostics::Pollable& budget) {
-    return compiler_ == nullptr ? std::nullopt : compiler_->explore(operand, process::equivalence_of(kind), budget);
+    return compiler_ == nullptr ? std::nullopt
+                                : compiler_->explore_operand(operand, process::equivalence_of(kind), budget);
 }
 
 }  // namespace robochart::machine

@@ -72,6 +72,10 @@ public:
     /// process::TooManyStates.
     [[nodiscard]] std::optional<process::Machine> explore(TermId term, lts::Equivalence up_to,
                                                           diagnostics::Pollable& budget);
+    /// Explores the operand of a compression. If a compression inside the operand would not remove states of the
+    /// operand, it is omitted, because the compression outside gives the same result.
+    [[nodiscard]] std::optional<process::Machine> explore_operand(TermId term, lts::Equivalence up_to,
+                                                                  diagnostics::Pollable& budget);
 
 private:
     bool is_small(TermId term, diagnostics::Pollable& budget);
@@ -79,6 +83,7 @@ private:
     ComponentPtr explore_component(TermId term, diagnostics::Pollable& budget);
     ComponentPtr make_gate(const Node& node) const;
     std::optional<Skeleton> skeleton(TermId term, const std::set<TermId>& leaves, diagnostics::Pollable& budget);
+    bool has_independent_parts(TermId compressed, diagnostics::Pollable& budget);
     std::vector<ComponentPtr> components(const Skeleton& skeleton, diagnostics::Pollable& budget);
     std::set<TermId> small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const;
     ComponentPtr region(TermId term, diagnostics::Pollable& budget);
@@ -101,6 +106,9 @@ private:
     std::map<TermId, bool> parts_;     ///< for each part that was tried: whether it was compressed
     std::size_t states_of_parts_ = 0;  ///< number of states of all parts before their compression
     std::size_t depth_of_parts_ = 0;
+    std::size_t operands_ = 0;     ///< number of compressions whose operands are being explored
+    std::set<TermId> judged_;      ///< compressed terms inside them whose parts were examined
+    std::set<TermId> kept_apart_;  ///< those whose parts are kept apart
     double shrinkage_ = 1;
     Stage stage_;
 };

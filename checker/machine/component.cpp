@@ -11,9 +11,38 @@ namespace {
 
 constexpr std::size_t largest_index = std::size_t{1} << 24U;
 
-std::uint32_t place_of(const EventSet& alphabet, Event event) {
-    assert(std::ranges::binary_search(alphabet, event));
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(alphabet, event) - alphabet.begin());
+/// Returns all events of the edges, ascending.
+EventSet events_on_edges(const std::vector<std::vector<Component::RawEdge>>& rows) {
+    std::size_t edges = 0;
+    Event last = 0;
+    for (const auto& row : rows) {
+        edges += row.size();
+        if (!row.empty()) last = std::max(last, row.back().event);
+    }
+    EventSet events;
+    if (edges <= last) {
+        for (const auto& row : rows)
+            for (const Component::RawEdge& edge : row) events.push_back(edge.event);
+        diagnostics::sort_unique(events);
+        return events;
+    }
+    // Events are marked instead of sorted, because a component may have millions of edges.
+    std::vector<bool> occurs(last + std::size_t{1}, false);
+    for (const auto& row : rows)
+        for (const Component::RawEdge& edge : row) occurs[edge.event] = true;
+    for (Event event = 0; event < occurs.size(); ++event)
+        if (occurs[event]) events.push_back(event);
+    return events;
+}
+
+/// Returns the index of an event in the alphabet, which is `from` or larger. In most cases it is `from` or the next
+/// one.
+std::uint32_t place_of(const EventSet& alphabet, Event event, std::uint32_t from) {
+    if (alphabet[from] == event) return from;
+    if (alphabet[from + 1U] == event) return from + 1U;
+    const auto place = std::lower_bound(alphabet.begin() + from, alphabet.end(), event);
+    assert(place != alphabet.end() && *place == event);
+    return static_cast<std::uint32_t>(place - alphabet.begin());
 }
 
 }  // namespace
@@ -21,12 +50,18 @@ std::uint32_t place_of(const EventSet& alphabet, Event event) {
 Component::Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<TermId> meaning)
     : meaning_(std::move(meaning)) {
     assert(rows.size() == meaning_.size());
-    for (const auto& row : rows)
-        for (const RawEdge& edge : row) alphabet_.push_back(edge.event);
-    diagnostics::sort_unique(alphabet_);
+    alphabet_ = events_on_edges(rows);
+    std::size_t edges = 0;
+    for (const auto& row : rows) edges += row.size();
+    edges_.reserve(edges);
+    first_.reserve(rows.size() + 1);
     first_.push_back(0);
     for (const auto& row : rows) {
-        for (const RawEdge& edge : row) edges_.push_back({place_of(alphabet_, edge.event), edge.revealed, edge.target});
+        std::uint32_t place = 0;
+        for (const RawEdge& edge : row) {
+            place = place_of(alphabet_, edge.event, place);
+            edges_.push_back({place, edge.revealed, edge.target});
+        }
         first_.push_back(static_cast<std::uint32_t>(edges_.size()));
     }
     index();

@@ -384,4 +384,25 @@ TEST(SessionTest, RoboToolTimedAssertions) {
 }
 
 }  // namespace
+// The memory has 12 * 12 * 12 vectors of values. In a compression around it, its variables stay separate components, so
+// that none of these vectors becomes a term. The user reads only the first variable.
+TEST(SessionCompression, KeepsIndependentPartsOfAnOperandApart) {
+    const std::string memory =
+        "channel get, set : {0..2}.{0..11}\nchannel stop, out\ntransparent dbisim\n"
+        "M(i,x) = get!i!x -> M(i,x) [] set.i?y -> M(i,y) [] stop -> SKIP\n"
+        "Memory = M(0,0) [| {stop} |] (M(1,0) [| {stop} |] M(2,0))\n"
+        "User = get.0?x -> (if x == 3 then out -> User else set.0!((x + 1) % 5) -> User) [] stop -> SKIP\n"
+        "Plain = (User [| {| get, set, stop |} |] Memory) \\ {| get, set |}\n"
+        "Compressed = dbisim((User [| {| get, set, stop |} |] dbisim(Memory)) \\ {| get, set |})\n";
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    const std::string text = memory + "assert Plain [FD= Compressed\nassert Compressed [FD= Plain\n";
+    cspm::Session session(cspm::read(sources, sources.add("s.csp", text), findings));
+    ASSERT_TRUE(findings.ok());
+    (void)session.system(build::name("Compressed"));
+    EXPECT_LT(session.terms().size(), 1000U);
+    for (const cspm::DeclPtr& assertion : session.assertions())
+        EXPECT_EQ(session.check(*assertion, {}).verdict.outcome, refine::Outcome::holds);
+}
+
 }  // namespace robochart::cspm::test
