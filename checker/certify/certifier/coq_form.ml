@@ -173,6 +173,9 @@ let event_list (claim : Formats.claim) =
 
 let theorem (claim : Formats.claim) ~most =
   let out = Buffer.create 1_000_000 in
+  (match claim.question with
+  | Refinement _ | Property _ -> ()
+  | _ -> raise (Search.Limit "there is no Coq form of claims of this kind"));
   let proof, nodes, found = Certificate_check.prove claim ~most in
   Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   Product level, unreduced: the theorem is about the compiled processes below.\n\n   Events: 0: tau, 1: tick\n%s*)\n"
     (comment claim.assertion) (comment claim.source) claim.question_text (event_list claim);

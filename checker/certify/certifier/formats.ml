@@ -167,8 +167,23 @@ let read_process names file text =
     component_names = Array.of_list (List.map (fun (_, _, name) -> name) components);
     component_edges; rule_count = !rule_count }
 
+(* Reads a list of events, in order. An event may occur more than once. *)
+let read_event_list names file text =
+  let lines = lines_of file text in
+  if next_line lines <> "robochart-verify events 1" then fail lines "this is not a list of events of version 1";
+  let events = times (count lines "events") (fun () -> number_of names (next_line lines)) in
+  if next_line lines <> "end" then fail lines "`end` was expected";
+  if lines.at <> String.length text then fail lines "the file goes on after its end";
+  events
+
 (* The kind of the claim. *)
-type question = Refinement of model | Property of property
+type question =
+  | Refinement of model
+  | Property of property
+  | Determinism of model
+  | Stays_possible
+  | Has_trace
+  | No_refinement of model
 
 let questions =
   [ ("refinement in the traces model", Refinement T);
@@ -176,14 +191,22 @@ let questions =
     ("refinement in the failures-divergences model", Refinement FD);
     ("deadlock freedom", Property Deadlock_free);
     ("deadlock and divergence freedom", Property Deadlock_and_divergence_free);
-    ("divergence freedom", Property Divergence_free) ]
+    ("divergence freedom", Property Divergence_free);
+    ("determinism in the failures model", Determinism F);
+    ("determinism in the failures-divergences model", Determinism FD);
+    ("one of the events stays possible", Stays_possible);
+    ("the events are a trace", Has_trace);
+    ("no refinement in the traces model", No_refinement T);
+    ("no refinement in the failures model", No_refinement F);
+    ("no refinement in the failures-divergences model", No_refinement FD) ]
 
 type claim = {
   question : question;
   question_text : string;
   assertion : string;
   source : string;
-  specification : process option;  (** only for a refinement *)
+  specification : process option;  (** only for a refinement, and for one that fails *)
+  events : int list;  (** the events that stay possible, or the trace *)
   implementation : process;
   event_name : int -> string;
   event_count : int;
@@ -217,11 +240,15 @@ let read_claim folder =
   in
   let names = no_names () in
   let read file digest = read_process names file (read_part folder file digest) in
-  let specification =
+  let specification, events =
     match question with
-    | Refinement _ -> Some (read "specification.txt" specification)
-    | Property _ -> if specification = "-" then None else unreadable "%s: a property has no specification" file
+    | Refinement _ | No_refinement _ -> (Some (read "specification.txt" specification), [])
+    | Stays_possible | Has_trace ->
+        let part = "specification.txt" in
+        (None, read_event_list names part (read_part folder part specification))
+    | Property _ | Determinism _ ->
+        if specification = "-" then (None, []) else unreadable "%s: a property has no specification" file
   in
   let implementation = read "implementation.txt" implementation in
-  { question; question_text; assertion; source; specification; implementation; event_name = name_of names;
+  { question; question_text; assertion; source; specification; events; implementation; event_name = name_of names;
     event_count = names.next }

@@ -155,6 +155,14 @@ module Pos =
 
   let to_nat x =
     iter_op Coq__1.add x (Stdlib.Int.succ 0)
+
+  (** val of_succ_nat : int -> positive **)
+
+  let rec of_succ_nat n =
+    (fun fO fS n -> if n=0 then fO () else fS (n-1))
+      (fun _ -> XH)
+      (fun x -> succ (of_succ_nat x))
+      n
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -335,6 +343,14 @@ module Z =
   let to_nat = function
   | Zpos p -> Pos.to_nat p
   | _ -> 0
+
+  (** val of_nat : int -> z **)
+
+  let of_nat n =
+    (fun fO fS n -> if n=0 then fO () else fS (n-1))
+      (fun _ -> Z0)
+      (fun n0 -> Zpos (Pos.of_succ_nat n0))
+      n
  end
 
 (** val lsl0 : Uint63.t -> Uint63.t -> Uint63.t **)
@@ -348,6 +364,10 @@ let lsr0 = Uint63.l_sr
 (** val land0 : Uint63.t -> Uint63.t -> Uint63.t **)
 
 let land0 = Uint63.l_and
+
+(** val lor0 : Uint63.t -> Uint63.t -> Uint63.t **)
+
+let lor0 = Uint63.l_or
 
 (** val add0 : Uint63.t -> Uint63.t -> Uint63.t **)
 
@@ -400,6 +420,11 @@ let is_zero i =
 let is_even i =
   is_zero (land0 i (Uint63.of_int (1)))
 
+(** val opp : Uint63.t -> Uint63.t **)
+
+let opp i =
+  sub (Uint63.of_int (0)) i
+
 (** val to_Z_rec : int -> Uint63.t -> z **)
 
 let rec to_Z_rec n i =
@@ -415,6 +440,31 @@ let rec to_Z_rec n i =
 
 let to_Z =
   to_Z_rec size
+
+(** val of_pos_rec : int -> positive -> Uint63.t **)
+
+let rec of_pos_rec n p =
+  (fun fO fS n -> if n=0 then fO () else fS (n-1))
+    (fun _ -> (Uint63.of_int (0)))
+    (fun n0 ->
+    match p with
+    | XI p0 ->
+      lor0 (lsl0 (of_pos_rec n0 p0) (Uint63.of_int (1))) (Uint63.of_int (1))
+    | XO p0 -> lsl0 (of_pos_rec n0 p0) (Uint63.of_int (1))
+    | XH -> (Uint63.of_int (1)))
+    n
+
+(** val of_pos : positive -> Uint63.t **)
+
+let of_pos =
+  of_pos_rec size
+
+(** val of_Z : z -> Uint63.t **)
+
+let of_Z = function
+| Z0 -> (Uint63.of_int (0))
+| Zpos p -> of_pos p
+| Zneg p -> opp (of_pos p)
 
 type 'a array = 'a Parray.t
 
@@ -1477,6 +1527,258 @@ let merging_ok m y =
                (merge_edges m k (y.edges k w))) (m.merged_states k))
       (seq 0 (length y.start)))
 
+type choiceless = { choiceless_size : Uint63.t; choiceless_start : Uint63.t;
+                    choiceless_arcs : (Uint63.t -> (ev * Uint63.t) list);
+                    choiceless_events : ev list }
+
+(** val choiceless_system : choiceless -> system **)
+
+let choiceless_system g =
+  { edges = (fun _ v ->
+    if ltb0 v g.choiceless_size then g.choiceless_arcs v else []); start =
+    (g.choiceless_start :: []); whole = (Region (((Slot 0) :: []),
+    (map (fun a -> { does = a; level = None; asks = ((0, a) :: []); puts =
+      [] }) g.choiceless_events))) }
+
+(** val ascending : ev -> (ev * Uint63.t) list -> bool **)
+
+let rec ascending last = function
+| [] -> true
+| e :: rest ->
+  if eqb last tick
+  then false
+  else if ltb0 last (fst e) then ascending (fst e) rest else false
+
+(** val choiceless_ok : choiceless -> bool **)
+
+let choiceless_ok g =
+  all_below (fun v -> ascending tau (g.choiceless_arcs v)) g.choiceless_size
+
+type 's numbering = { state_count : Uint63.t;
+                      state_number : ('s -> Uint63.t);
+                      numbered_state : (Uint63.t -> 's);
+                      distance : (Uint63.t -> Uint63.t) }
+
+(** val number_of :
+    ('a1 -> 'a1 -> bool) -> 'a1 numbering -> 'a1 -> Uint63.t option **)
+
+let number_of eqi h u =
+  let j = h.state_number u in
+  if ltb0 j h.state_count
+  then if eqi (h.numbered_state j) u then Some j else None
+  else None
+
+(** val nearer :
+    ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> Uint63.t ->
+    (ev * 'a1) list -> bool -> bool **)
+
+let rec nearer eqi goal h d moves found =
+  match moves with
+  | [] -> found
+  | p :: rest ->
+    let (a, u) = p in
+    (match number_of eqi h u with
+     | Some k ->
+       nearer eqi goal h d rest
+         (if found
+          then true
+          else if memb a goal then true else ltb0 (h.distance k) d)
+     | None -> false)
+
+(** val check_state :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> Uint63.t
+    -> bool **)
+
+let check_state p eqi goal h j =
+  nearer eqi goal h (h.distance j) (p.succ0 (h.numbered_state j)) false
+
+(** val check_possible :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> bool **)
+
+let check_possible p eqi goal h =
+  match number_of eqi h p.init with
+  | Some _ -> all_below (check_state p eqi goal h) h.state_count
+  | None -> false
+
+type 's run = (ev * 's) list
+
+(** val is_run : 'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 run -> bool **)
+
+let rec is_run p eqs s = function
+| [] -> true
+| p0 :: rest ->
+  let (a, u) = p0 in
+  if steps_to p eqs s a u then is_run p eqs u rest else false
+
+(** val run_end : 'a1 -> 'a1 run -> 'a1 **)
+
+let rec run_end s = function
+| [] -> s
+| p :: rest -> let (_, u) = p in run_end u rest
+
+(** val visible : 'a1 run -> ev list **)
+
+let rec visible = function
+| [] -> []
+| p :: rest ->
+  let (a, _) = p in if eqb a tau then visible rest else a :: (visible rest)
+
+(** val is_loop :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 run -> bool **)
+
+let is_loop p eqs s r = match r with
+| [] -> false
+| _ :: _ ->
+  if is_run p eqs s r
+  then if forallb (fun m -> eqb (fst m) tau) r
+       then eqs (run_end s r) s
+       else false
+  else false
+
+(** val same_events : ev list -> ev list -> bool **)
+
+let rec same_events l k =
+  match l with
+  | [] -> (match k with
+           | [] -> true
+           | _ :: _ -> false)
+  | a :: l' ->
+    (match k with
+     | [] -> false
+     | b :: k' -> if eqb a b then same_events l' k' else false)
+
+(** val check_trace :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 run -> bool **)
+
+let check_trace p eqs t r =
+  if is_run p eqs p.init r then same_events (visible r) t else false
+
+(** val refused : 'a1 run -> ev -> bool **)
+
+let refused moves a =
+  if offers moves tick then negb (eqb a tick) else negb (offers moves a)
+
+(** val can_refuse : 'a1 run -> bool **)
+
+let can_refuse moves =
+  if offers moves tick then true else negb (offers moves tau)
+
+(** val diverging :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 run -> 'a1 run -> bool **)
+
+let diverging p eqs r loop0 =
+  if is_run p eqs p.init r
+  then is_loop p eqs (run_end p.init r) loop0
+  else false
+
+type fault =
+| Performs
+| Refuses of (ev -> bool)
+| Diverges_after
+
+(** val plain_event_at : ev list -> Uint63.t -> ev option **)
+
+let plain_event_at t n =
+  nth_error t (Z.to_nat (to_Z n))
+
+(** val event_at : ev list -> Uint63.t -> ev option **)
+
+let event_at t =
+  table (of_Z (Z.of_nat (length t))) (plain_event_at t)
+
+(** val performs : fault -> bool **)
+
+let performs = function
+| Performs -> true
+| _ -> false
+
+(** val absence_needs :
+    model -> fault -> (Uint63.t -> ev option) -> Uint63.t -> ev -> need **)
+
+let absence_needs m x next n a =
+  if eqb a tau
+  then Leads (n, (match m with
+                  | FD -> true
+                  | _ -> false))
+  else (match next n with
+        | Some b ->
+          if eqb a b
+          then if ltb0 n (add0 n (Uint63.of_int (1)))
+               then if performs x
+                    then (match next (add0 n (Uint63.of_int (1))) with
+                          | Some _ ->
+                            Leads ((add0 n (Uint63.of_int (1))), false)
+                          | None -> Forbidden)
+                    else Leads ((add0 n (Uint63.of_int (1))), false)
+               else Forbidden
+          else Irrelevant
+        | None -> Irrelevant)
+
+(** val absence_fine :
+    fault -> (Uint63.t -> ev option) -> Uint63.t -> (ev * 'a1) list -> bool **)
+
+let absence_fine x next n moves =
+  match x with
+  | Refuses x0 ->
+    (match next n with
+     | Some _ -> true
+     | None ->
+       if offers moves tick
+       then x0 tick
+       else if offers moves tau
+            then true
+            else existsb (fun mv -> x0 (fst mv)) moves)
+  | _ -> true
+
+(** val check_absence :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> model -> ev list -> fault -> 'a1 pairs
+    -> bool **)
+
+let check_absence spec eqs m t x p =
+  let next = event_at t in
+  if performs x
+  then (match next (Uint63.of_int (0)) with
+        | Some _ ->
+          walk spec eqs p (absence_needs m x next) (absence_fine x next)
+            (Uint63.of_int (0))
+        | None -> false)
+  else walk spec eqs p (absence_needs m x next) (absence_fine x next)
+         (Uint63.of_int (0))
+
+type 's refutation =
+| By_event of (ev * 's) list
+| By_refusal of (ev * 's) list
+| By_divergence of (ev * 's) list * (ev * 's) list
+
+(** val check_refutation :
+    'a1 lts -> 'a2 lts -> ('a1 -> 'a1 -> bool) -> ('a2 -> 'a2 -> bool) ->
+    model -> 'a2 refutation -> 'a1 pairs -> bool **)
+
+let check_refutation spec impl eqs eqi m v p =
+  match v with
+  | By_event r ->
+    if is_run impl eqi impl.init r
+    then check_absence spec eqs m (visible r) Performs p
+    else false
+  | By_refusal r ->
+    (match m with
+     | T -> false
+     | _ ->
+       if is_run impl eqi impl.init r
+       then let moves = impl.succ0 (run_end impl.init r) in
+            if can_refuse moves
+            then check_absence spec eqs m (visible r) (Refuses
+                   (refused moves)) p
+            else false
+       else false)
+  | By_divergence (r, loop0) ->
+    (match m with
+     | FD ->
+       if diverging impl eqi r loop0
+       then check_absence spec eqs FD (visible r) Diverges_after p
+       else false
+     | _ -> false)
+
 type shape = { merges : merging; packs : layout }
 
 (** val compact : shape -> system -> Uint63.t list lts **)
@@ -1502,3 +1804,35 @@ let certify_refinement m hs spec hi impl n e p =
 
 let certify_property p hi impl p0 =
   (&&) (shape_ok hi impl) (check_property (compact hi impl) eq_words p p0)
+
+(** val certify_determinism :
+    model -> shape -> choiceless -> shape -> system -> normal_form ->
+    Uint63.t list evidence -> Uint63.t list pairs -> bool **)
+
+let certify_determinism m hg g hi impl n e p =
+  match m with
+  | T -> false
+  | _ ->
+    (&&) (choiceless_ok g)
+      (certify_refinement m hg (choiceless_system g) hi impl n e p)
+
+(** val certify_possible :
+    ev list -> shape -> system -> Uint63.t list numbering -> bool **)
+
+let certify_possible goal hi impl h =
+  (&&) (shape_ok hi impl) (check_possible (compact hi impl) eq_words goal h)
+
+(** val certify_trace :
+    ev list -> shape -> system -> (ev * Uint63.t list) list -> bool **)
+
+let certify_trace t hi impl r =
+  (&&) (shape_ok hi impl) (check_trace (compact hi impl) eq_words t r)
+
+(** val certify_refutation :
+    model -> shape -> system -> shape -> system -> Uint63.t list refutation
+    -> Uint63.t list pairs -> bool **)
+
+let certify_refutation m hs spec hi impl v p =
+  (&&) ((&&) (shape_ok hs spec) (shape_ok hi impl))
+    (check_refutation (compact hs spec) (compact hi impl) eq_words eq_words m
+      v p)
