@@ -14,6 +14,10 @@ type subject = System of system | Split_term of script * split
 type proof =
   | Of_refinement of model * shape * subject * shape * subject * normal_form * int list evidence * int list pairs
   | Of_property of property * shape * subject * int list pairs
+  | Of_determinism of model * shape * choiceless * shape * system * normal_form * int list evidence * int list pairs
+  | Of_possible of int list * shape * system * int list numbering
+  | Of_trace of int list * shape * system * (int * int list) list
+  | Of_refutation of model * shape * system * shape * system * int list refutation * int list pairs
 
 (* Returns the layout of packed states: for each word, the numbers of bits of its components. *)
 let layout_of sizes event_count =
@@ -97,7 +101,36 @@ type plan = {
   completed : Search.words pairs -> proof;
 }
 
-let plan_of ?(forge = Fun.id) ?split_forge (claim : Formats.claim) ~most =
+(* A graph without choices as a process. *)
+let choiceless_process events_to (rows : (int * int) list array) : choiceless * Formats.process =
+  let graph =
+    { choiceless_size = Array.length rows; choiceless_start = 0; choiceless_arcs = (fun v -> rows.(v));
+      choiceless_events = List.init (events_to - 1) (fun i -> i + 1) }
+  in
+  ( graph,
+    { system = choiceless_system graph; sizes = [ Array.length rows ]; component_names = [| "the graph" |];
+      component_edges = [| rows |]; rule_count = events_to - 1 } )
+
+(* Describes violations of determinism: the nodes of the graph are states of the process. *)
+let determinism_task (nodes : Search.node array) (task : Search.task) name : Search.task =
+  let state_fault n moves =
+    match task.state_fault n moves with
+    | None -> None
+    | Some _ ->
+        let offered a = if List.mem_assoc 1 moves then a = 1 else List.mem_assoc a moves in
+        let missing = List.filter (fun (a, _) -> not (offered a)) (Array.to_list nodes.(n).arcs) in
+        let event = match missing with (a, _) :: _ -> name a | [] -> "an event" in
+        Some (Printf.sprintf "it can refuse %s, which is possible in another state after the same events" event)
+  in
+  { task with state_fault;
+    event_fault = (fun _ a -> Printf.sprintf "it can perform %s, which another state after the same events can refuse" (name a)) }
+
+(* Returns the process of a claim that has no certificates at the term level. *)
+let compiled = function
+  | Formats.Compiled process -> process
+  | Formats.Term _ -> raise (Formats.Unreadable "a certificate of this kind of claim contains compiled processes")
+
+let rec plan_of ?(forge = Fun.id) ?split_forge ?(forge_graph = Fun.id) (claim : Formats.claim) ~most =
   let name = claim.event_name in
   let process_of side = process_of ?forge:split_forge side ~event_count:claim.event_count ~most in
   let process, impl = process_of claim.implementation in
@@ -117,6 +150,20 @@ let plan_of ?(forge = Fun.id) ?split_forge (claim : Formats.claim) ~most =
   | Property property, None ->
       { process; shape; name; task = property_task property; choose = (fun _ _ -> 0); nodes = [||];
         completed = (fun pairs -> Of_property (property, shape, impl, pairs)) }
+  | Determinism model, None ->
+      let system = (compiled claim.implementation).system in
+      let lts = compact shape system in
+      let rows = forge_graph (Search.without_choices (Search.new_graph lts.succ0) lts.init ~most) in
+      let graph, own = choiceless_process claim.event_count rows in
+      let refinement = { claim with question = Refinement model; specification = Some (Formats.Compiled own) } in
+      let plan = plan_of ~forge refinement ~most in
+      let completed pairs =
+        match plan.completed pairs with
+        | Of_refinement (m, graph_shape, _, shape, _, normal, evidence, pairs) ->
+            Of_determinism (m, graph_shape, graph, shape, system, normal, evidence, pairs)
+        | other -> other
+      in
+      { plan with task = determinism_task plan.nodes plan.task name; completed }
   | _ -> raise (Formats.Unreadable "a specification belongs to a refinement, and to nothing else")
 
 let search_pairs ?(lenient = false) plan ~most =
@@ -141,6 +188,12 @@ let accepted ?reduction = function
   | Of_refinement _ -> false
   | Of_property (property, shape, System impl, pairs) -> certify_property property shape impl reduction pairs
   | Of_property (property, shape, Split_term (impl, x), pairs) -> certify_script property impl x shape reduction pairs
+  | Of_determinism (model, graph_shape, graph, shape, impl, normal, evidence, pairs) ->
+      certify_determinism model graph_shape graph shape impl reduction normal evidence pairs
+  | Of_possible (goal, shape, impl, numbering) -> certify_possible goal shape impl numbering
+  | Of_trace (events, shape, impl, run) -> certify_trace events shape impl run
+  | Of_refutation (model, spec_shape, spec, shape, impl, refutation, pairs) ->
+      certify_refutation model spec_shape spec shape impl refutation pairs
 
 (* Returns which part of the check refuses. *)
 let first_refused proof =
@@ -158,6 +211,9 @@ let first_refused proof =
       if not (split impl) then "the check refuses the components of a term"
       else if not (shape_ok shape (system impl)) then "the process is not well-formed"
       else "the check refuses the pairs"
+  | Of_determinism (_, _, _, shape, impl, _, _, _) | Of_possible (_, shape, impl, _) | Of_trace (_, shape, impl, _)
+  | Of_refutation (_, _, _, shape, impl, _, _) ->
+      if not (shape_ok shape impl) then "the process is not well-formed" else "the check refuses the evidence"
 
 let guarded f =
   try f () with
@@ -185,21 +241,100 @@ let check_on_the_way ?reduction plan ~most =
   (walk, proof, try accepted ?reduction proof with Search.Loop_of_taus -> false)
 
 (* If the check refuses, another search without a reduction finds the run to the violation. *)
+let certify_on_the_way ~reduce (claim : Formats.claim) ~most =
+  let plan = plan_of claim ~most in
+  let reduction = if reduce then reduction_for claim plan else None in
+  let certified (walk : Search.walk) ~reduced =
+    Certified
+      { pairs = walk.pairs.filled; nodes = Array.length plan.nodes; transitions = walk.moves_seen;
+        components = Array.length plan.process.component_names; rules = plan.process.rule_count; reduced }
+  in
+  let walk, proof, accepts = check_on_the_way ?reduction plan ~most in
+  if accepts then certified walk ~reduced:(reduction <> None)
+  else begin
+    ignore (search_pairs plan ~most);
+    if reduction = None then Refused (first_refused proof)
+    else
+      let walk, proof, accepts = check_on_the_way plan ~most in
+      if accepts then certified walk ~reduced:false else Refused (first_refused proof)
+  end
+
+(* The steps of a search for a violation, which shows that a refinement fails. *)
+type shown = { refutation : int list refutation; trace : int list; performs : bool }
+
+let shown_by run performs refutation = { refutation; trace = Search.visible run; performs }
+
+(* Finds a violation of the refinement. *)
+let violation_of lts width (plan : plan) ~most =
+  let found = Search.new_found width true in
+  match
+    Search.explore lts plan.task found ~most ~lenient:false;
+    if plan.task.forbid_cycles then Search.set_ranks found ~lenient:false
+  with
+  | () -> None
+  | exception Search.Violation_at (j, _) ->
+      let run = Search.moves_to found j and state = Search.words_at found.store j in
+      let node = Search.node_at found.store j and moves = lts.succ0 state in
+      let forbidden (a, _) = a <> 0 && plan.task.next node a = None in
+      if plan.task.state_fault node moves <> None then Some (shown_by run false (By_refusal run))
+      else (
+        match List.find_opt forbidden moves with
+        | Some move -> Some (shown_by (run @ [ move ]) true (By_event (run @ [ move ])))
+        | None -> Some (shown_by run false (By_divergence (run, Search.tau_loop lts width state ~most))))
+
+(* The states of the specification after the prefixes of the trace. *)
+let prefixes_task model shown : Search.task =
+  let trace = Array.of_list shown.trace in
+  let length = Array.length trace in
+  { next = (fun n a -> if n < length && trace.(n) = a then Some (n + 1) else Some (-1));
+    stopped = (fun n -> n < 0);
+    state_fault = (fun n _ -> if shown.performs && n = length then Some "it performs these events, too" else None);
+    forbid_cycles = model = FD;
+    event_fault = (fun _ _ -> "") }
+
+let refutation_of ?(lenient = false) (claim : Formats.claim) model (spec : Formats.process) shown ~most =
+  let impl = compiled claim.implementation in
+  let shape = shape_of impl claim.event_count and spec_shape = shape_of spec claim.event_count in
+  let absent =
+    Search.pairs_for ~lenient (compact spec_shape spec.system) (width spec_shape) (prefixes_task model shown) ~most
+      ~name:claim.event_name ~state_name:(state_name spec spec_shape)
+  in
+  (Of_refutation (model, spec_shape, spec.system, shape, impl.system, shown.refutation,
+                  Search.pairs_record absent (fun _ _ -> 0)), absent)
+
+(* Finds the evidence for a claim that a run or the distances of states show. Returns it with the number of pairs. *)
+let show (claim : Formats.claim) ~most =
+  let impl = compiled claim.implementation in
+  let shape = shape_of impl claim.event_count in
+  let lts = compact shape impl.system and name = claim.event_name in
+  match (claim.question, claim.specification) with
+  | Formats.Stays_possible, _ -> (
+      match Search.distances lts (width shape) claim.events ~most ~name ~state_name:(state_name impl shape) with
+      | _, _, Some fault -> raise (Search.Refuted fault)
+      | found, distance, None ->
+          (Of_possible (claim.events, shape, impl.system, Search.numbering_of found distance), found.store.filled))
+  | Has_trace, _ -> (
+      match Search.run_with lts (width shape) claim.events ~most with
+      | Some run -> (Of_trace (claim.events, shape, impl.system, run), List.length run + 1)
+      | None -> raise (Search.Refuted "it cannot perform these events in this order"))
+  | No_refinement model, Some spec -> (
+      let plan = plan_of { claim with question = Refinement model } ~most in
+      match violation_of lts (width shape) plan ~most with
+      | None -> raise (Search.Refuted "the refinement holds")
+      | Some shown ->
+          let proof, absent = refutation_of claim model (compiled spec) shown ~most in
+          (proof, absent.store.filled))
+  | _ -> raise (Formats.Unreadable "the parts of the certificate do not belong to its claim")
+
 let certify ?(reduce = true) (claim : Formats.claim) ~most =
   guarded (fun () ->
-      let plan = plan_of claim ~most in
-      let reduction = if reduce then reduction_for claim plan else None in
-      let certified (walk : Search.walk) ~reduced =
-        Certified
-          { pairs = walk.pairs.filled; nodes = Array.length plan.nodes; transitions = walk.moves_seen;
-            components = Array.length plan.process.component_names; rules = plan.process.rule_count; reduced }
-      in
-      let walk, proof, accepts = check_on_the_way ?reduction plan ~most in
-      if accepts then certified walk ~reduced:(reduction <> None)
-      else begin
-        ignore (search_pairs plan ~most);
-        if reduction = None then Refused (first_refused proof)
-        else
-          let walk, proof, accepts = check_on_the_way plan ~most in
-          if accepts then certified walk ~reduced:false else Refused (first_refused proof)
-      end)
+      match claim.question with
+      | Refinement _ | Property _ | Determinism _ -> certify_on_the_way ~reduce claim ~most
+      | Stays_possible | Has_trace | No_refinement _ ->
+          let proof, pairs = show claim ~most in
+          if accepted proof then
+            let impl = compiled claim.implementation in
+            Certified
+              { pairs; nodes = 0; transitions = 0; components = Array.length impl.component_names; rules = impl.rule_count;
+                reduced = false }
+          else Refused (first_refused proof))

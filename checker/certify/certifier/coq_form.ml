@@ -236,6 +236,9 @@ let event_list (claim : Formats.claim) =
 
 let theorem (claim : Formats.claim) ~most =
   let out = Buffer.create 1_000_000 in
+  (match claim.question with
+  | Refinement _ | Property _ -> ()
+  | _ -> raise (Search.Limit "there is no Coq form of claims of this kind"));
   let proof, nodes, found = Certificate_check.prove claim ~most in
   let terms = Formats.level_of claim.implementation = "term" in
   Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   %s\n\n   Events: 0: tau, 1: tick\n%s*)\n"

@@ -256,8 +256,22 @@ let read_side names file text =
   | "robochart-verify term 1" -> Term (read_script names lines)
   | _ -> fail lines "this is neither a process nor a term of version 1"
 
+(* Reads a list of events, in order. An event may occur more than once. *)
+let read_event_list names file text =
+  let lines = lines_of file text in
+  if next_line lines <> "robochart-verify events 1" then fail lines "this is not a list of events of version 1";
+  let events = times (count lines "events") (fun () -> number_of names (next_line lines)) in
+  finish lines;
+  events
+
 (* The kind of the claim. *)
-type question = Refinement of model | Property of property
+type question =
+  | Refinement of model
+  | Property of property
+  | Determinism of model
+  | Stays_possible
+  | Has_trace
+  | No_refinement of model
 
 let questions =
   [ ("refinement in the traces model", Refinement T);
@@ -265,14 +279,22 @@ let questions =
     ("refinement in the failures-divergences model", Refinement FD);
     ("deadlock freedom", Property Deadlock_free);
     ("deadlock and divergence freedom", Property Deadlock_and_divergence_free);
-    ("divergence freedom", Property Divergence_free) ]
+    ("divergence freedom", Property Divergence_free);
+    ("determinism in the failures model", Determinism F);
+    ("determinism in the failures-divergences model", Determinism FD);
+    ("one of the events stays possible", Stays_possible);
+    ("the events are a trace", Has_trace);
+    ("no refinement in the traces model", No_refinement T);
+    ("no refinement in the failures model", No_refinement F);
+    ("no refinement in the failures-divergences model", No_refinement FD) ]
 
 type claim = {
   question : question;
   question_text : string;
   assertion : string;
   source : string;
-  specification : side option;  (** only for a refinement *)
+  specification : side option;  (** only for a refinement, and for one that fails *)
+  events : int list;  (** the events that stay possible, or the trace *)
   implementation : side;
   event_name : int -> string;
   event_count : int;
@@ -310,11 +332,15 @@ let read_claim folder =
     if level <> level_of side ^ ", unreduced" then unreadable "%s: the level in claim.txt is another one" file;
     side
   in
-  let specification =
+  let specification, events =
     match question with
-    | Refinement _ -> Some (read "specification.txt" specification)
-    | Property _ -> if specification = "-" then None else unreadable "%s: a property has no specification" file
+    | Refinement _ | No_refinement _ -> (Some (read "specification.txt" specification), [])
+    | Stays_possible | Has_trace ->
+        let part = "specification.txt" in
+        (None, read_event_list names part (read_part folder part specification))
+    | Property _ | Determinism _ ->
+        if specification = "-" then (None, []) else unreadable "%s: a property has no specification" file
   in
   let implementation = read "implementation.txt" implementation in
-  { question; question_text; assertion; source; specification; implementation; event_name = name_of names;
+  { question; question_text; assertion; source; specification; events; implementation; event_name = name_of names;
     event_count = names.next }

@@ -320,6 +320,67 @@ let normalise graph start model ~most =
   done;
   Array.of_list (List.rev !nodes)
 
+exception Unresolved
+
+(* Resolves the choices of a process (Lazic; UCS 10.5): each state leads on by its first tau while it has one and cannot
+   terminate, and each event leads to its first target. Returns the arcs by node. A loop of taus cannot be resolved. *)
+let resolve graph start ~most =
+  let settled = Hashtbl.create 1000 in
+  let rec settle on_the_way id =
+    let edges = edges_of graph id in
+    let tau = List.assoc_opt 0 edges in
+    let ends =
+      match Hashtbl.find_opt settled id with
+      | Some known -> known
+      | None -> (
+          match tau with
+          | Some next when not (List.mem_assoc 1 edges) ->
+              Hashtbl.add settled id (-1);
+              settle (id :: on_the_way) next
+          | _ -> id)
+    in
+    if ends < 0 then raise Unresolved;
+    List.iter (fun s -> Hashtbl.replace settled s ends) on_the_way;
+    ends
+  in
+  let ids = Hashtbl.create 1000 and waiting = Queue.create () and rows = ref [] in
+  let node_of state =
+    let state = settle [] state in
+    match Hashtbl.find_opt ids state with
+    | Some n -> n
+    | None ->
+        let n = Hashtbl.length ids in
+        if n >= most then raise (Limit "the process has too many states without taus");
+        Hashtbl.add ids state n;
+        Queue.add state waiting;
+        n
+  in
+  ignore (node_of (id_of graph start));
+  while not (Queue.is_empty waiting) do
+    let edges = edges_of graph (Queue.pop waiting) in
+    let edges = if List.mem_assoc 1 edges then List.filter (fun (a, _) -> a = 1) edges else edges in
+    let rec first_targets = function
+      | (a, u) :: ((b, _) :: _ as rest) when a = b -> first_targets ((a, u) :: List.tl rest)
+      | (a, u) :: rest ->
+          let n = node_of u in
+          (a, n) :: first_targets rest
+      | [] -> []
+    in
+    rows := first_targets edges :: !rows
+  done;
+  Array.of_list (List.rev !rows)
+
+(* Returns the arcs of a graph that the process refines if it is deterministic. *)
+let without_choices graph start ~most =
+  try resolve graph start ~most
+  with Unresolved ->
+    let nodes = normalise graph start F ~most in
+    let arcs node =
+      let arcs = Array.to_list node.arcs in
+      if List.mem_assoc 1 arcs then List.filter (fun (a, _) -> a = 1) arcs else arcs
+    in
+    Array.map arcs nodes
+
 (* Returns the index of a number in a sorted array, or the length of the array if it does not contain the number. *)
 let place_of key_of (sorted : 'a array) (key : int) =
   let rec between low high =
@@ -542,6 +603,80 @@ let pairs_for ?(lenient = false) impl width task ~most ~name ~state_name =
           raise (Refuted (Printf.sprintf "%s, in the state %s, %s" (run_to name found j) state fault)))
 
 let rank_of found j = if j < Array.length found.ranks then found.ranks.(j) else 0
+
+(* Returns the run to a pair: its events and states. *)
+let moves_to found j =
+  let parents = (Option.get found.parents).values in
+  let rec back j run = if j = 0 then run else back parents.{2 * j} ((parents.{(2 * j) + 1}, words_at found.store j) :: run) in
+  back j []
+
+let visible run = List.filter_map (fun (a, _) -> if a = 0 then None else Some a) run
+
+(* A run from the initial state to a state. The nodes are numbers of events, so one search serves all prefixes. *)
+let run_with (lts : words lts) width events ~most =
+  let events = Array.of_list events in
+  let found = new_found width true in
+  let next n a = if n < Array.length events && events.(n) = a then Some (n + 1) else Some (-1) in
+  let task =
+    { next; stopped = (fun n -> n < 0); forbid_cycles = false; event_fault = (fun _ _ -> "");
+      state_fault = (fun n _ -> if n = Array.length events then Some "" else None) }
+  in
+  match explore lts task found ~most ~lenient:false with
+  | () -> None
+  | exception Violation_at (j, _) -> Some (moves_to found j)
+
+(* Returns a run of taus from a state back to itself, or nothing if there is none. *)
+let tau_loop (lts : words lts) width state ~most =
+  let found = new_found width true in
+  let taus s = List.filter (fun (a, _) -> a = 0) (lts.succ0 s) in
+  let task =
+    { next = (fun _ _ -> None); stopped = (fun _ -> false); forbid_cycles = false; event_fault = (fun _ _ -> "");
+      state_fault = (fun _ moves -> if List.exists (fun (_, u) -> u = state) moves then Some "" else None) }
+  in
+  match explore { init = state; succ0 = taus } task found ~most ~lenient:false with
+  | () -> []
+  | exception Violation_at (j, _) -> moves_to found j @ [ (0, state) ]
+
+(* Finds all states, and for each its distance to an event of the goal. *)
+let distances (lts : words lts) width goal ~most ~name ~state_name =
+  let found = new_found width true in
+  let before = ref [] and near = ref [] in
+  let seen = ref (-1) in
+  let task =
+    { next = (fun _ _ -> Some 0); stopped = (fun _ -> false); forbid_cycles = false; event_fault = (fun _ _ -> "");
+      state_fault =
+        (fun _ moves ->
+          incr seen;
+          if List.exists (fun (a, _) -> List.mem a goal) moves then near := !seen :: !near;
+          before := (!seen, moves) :: !before;
+          None) }
+  in
+  explore lts task found ~most ~lenient:false;
+  let count = found.store.filled in
+  let sources = Array.make count [] in
+  List.iter (fun (j, moves) -> List.iter (fun (_, u) -> let k = find found.store u 0 in sources.(k) <- j :: sources.(k)) moves) !before;
+  let distance = Array.make count (-1) in
+  let waiting = Queue.create () in
+  let reach d j = if distance.(j) < 0 then (distance.(j) <- d; Queue.add j waiting) in
+  List.iter (reach 0) !near;
+  while not (Queue.is_empty waiting) do
+    let j = Queue.pop waiting in
+    List.iter (reach (distance.(j) + 1)) sources.(j)
+  done;
+  let far = ref 0 in
+  while !far < count && distance.(!far) >= 0 do incr far done;
+  (found, Array.map (fun d -> if d < 0 then count else d) distance,
+   if !far = count then None
+   else
+     Some
+       (Printf.sprintf "%s, in the state %s, none of the events is possible any more" (run_to name found !far)
+          (state_name (words_at found.store !far))))
+
+let numbering_of found distance =
+  { state_count = found.store.filled;
+    state_number = (fun u -> find found.store u 0);
+    numbered_state = words_at found.store;
+    distance = (fun j -> distance.(j)) }
 
 (* Returns the pairs that were found, in the order of their ranks. *)
 let pairs_record found choose =

@@ -2156,6 +2156,258 @@ let only_deadlocks = function
 | Deadlock_free -> true
 | _ -> false
 
+type choiceless = { choiceless_size : Uint63.t; choiceless_start : Uint63.t;
+                    choiceless_arcs : (Uint63.t -> (ev * Uint63.t) list);
+                    choiceless_events : ev list }
+
+(** val choiceless_system : choiceless -> system **)
+
+let choiceless_system g =
+  { edges = (fun _ v ->
+    if ltb0 v g.choiceless_size then g.choiceless_arcs v else []); start =
+    (g.choiceless_start :: []); whole = (Region (((Slot 0) :: []),
+    (map (fun a -> { does = a; level = None; asks = ((0, a) :: []); puts =
+      [] }) g.choiceless_events))) }
+
+(** val ascending : ev -> (ev * Uint63.t) list -> bool **)
+
+let rec ascending last = function
+| [] -> true
+| e :: rest ->
+  if eqb last tick
+  then false
+  else if ltb0 last (fst e) then ascending (fst e) rest else false
+
+(** val choiceless_ok : choiceless -> bool **)
+
+let choiceless_ok g =
+  all_below (fun v -> ascending tau (g.choiceless_arcs v)) g.choiceless_size
+
+type 's numbering = { state_count : Uint63.t;
+                      state_number : ('s -> Uint63.t);
+                      numbered_state : (Uint63.t -> 's);
+                      distance : (Uint63.t -> Uint63.t) }
+
+(** val known_number :
+    ('a1 -> 'a1 -> bool) -> 'a1 numbering -> 'a1 -> Uint63.t option **)
+
+let known_number eqi h u =
+  let j = h.state_number u in
+  if ltb0 j h.state_count
+  then if eqi (h.numbered_state j) u then Some j else None
+  else None
+
+(** val nearer :
+    ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> Uint63.t ->
+    (ev * 'a1) list -> bool -> bool **)
+
+let rec nearer eqi goal0 h d moves found =
+  match moves with
+  | [] -> found
+  | p :: rest ->
+    let (a, u) = p in
+    (match known_number eqi h u with
+     | Some k ->
+       nearer eqi goal0 h d rest
+         (if found
+          then true
+          else if memb a goal0 then true else ltb0 (h.distance k) d)
+     | None -> false)
+
+(** val check_state :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> Uint63.t
+    -> bool **)
+
+let check_state p eqi goal0 h j =
+  nearer eqi goal0 h (h.distance j) (p.succ0 (h.numbered_state j)) false
+
+(** val check_possible :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> bool **)
+
+let check_possible p eqi goal0 h =
+  match known_number eqi h p.init with
+  | Some _ -> all_below (check_state p eqi goal0 h) h.state_count
+  | None -> false
+
+type 's run = (ev * 's) list
+
+(** val is_run : 'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 run -> bool **)
+
+let rec is_run p eqs s = function
+| [] -> true
+| p0 :: rest ->
+  let (a, u) = p0 in
+  if steps_to p eqs s a u then is_run p eqs u rest else false
+
+(** val run_end : 'a1 -> 'a1 run -> 'a1 **)
+
+let rec run_end s = function
+| [] -> s
+| p :: rest -> let (_, u) = p in run_end u rest
+
+(** val visible : 'a1 run -> ev list **)
+
+let rec visible = function
+| [] -> []
+| p :: rest ->
+  let (a, _) = p in if eqb a tau then visible rest else a :: (visible rest)
+
+(** val is_loop :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 run -> bool **)
+
+let is_loop p eqs s r = match r with
+| [] -> false
+| _ :: _ ->
+  if is_run p eqs s r
+  then if forallb (fun m -> eqb (fst m) tau) r
+       then eqs (run_end s r) s
+       else false
+  else false
+
+(** val same_events : ev list -> ev list -> bool **)
+
+let rec same_events l k =
+  match l with
+  | [] -> (match k with
+           | [] -> true
+           | _ :: _ -> false)
+  | a :: l' ->
+    (match k with
+     | [] -> false
+     | b :: k' -> if eqb a b then same_events l' k' else false)
+
+(** val check_trace :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 run -> bool **)
+
+let check_trace p eqs t r =
+  if is_run p eqs p.init r then same_events (visible r) t else false
+
+(** val refused : 'a1 run -> ev -> bool **)
+
+let refused moves a =
+  if offers moves tick then negb (eqb a tick) else negb (offers moves a)
+
+(** val can_refuse : 'a1 run -> bool **)
+
+let can_refuse moves =
+  if offers moves tick then true else negb (offers moves tau)
+
+(** val diverging :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 run -> 'a1 run -> bool **)
+
+let diverging p eqs r loop0 =
+  if is_run p eqs p.init r
+  then is_loop p eqs (run_end p.init r) loop0
+  else false
+
+type fault =
+| Performs0
+| Refuses of (ev -> bool)
+| Diverges_after
+
+(** val plain_event_at : ev list -> Uint63.t -> ev option **)
+
+let plain_event_at t n =
+  nth_error t (Z.to_nat (to_Z n))
+
+(** val event_at : ev list -> Uint63.t -> ev option **)
+
+let event_at t =
+  table (of_Z (Z.of_nat (length t))) (plain_event_at t)
+
+(** val performs : fault -> bool **)
+
+let performs = function
+| Performs0 -> true
+| _ -> false
+
+(** val absence_needs :
+    model -> fault -> (Uint63.t -> ev option) -> Uint63.t -> ev -> need **)
+
+let absence_needs m x next n a =
+  if eqb a tau
+  then Leads (n, (match m with
+                  | FD -> true
+                  | _ -> false))
+  else (match next n with
+        | Some b ->
+          if eqb a b
+          then if ltb0 n (add0 n (Uint63.of_int (1)))
+               then if performs x
+                    then (match next (add0 n (Uint63.of_int (1))) with
+                          | Some _ ->
+                            Leads ((add0 n (Uint63.of_int (1))), false)
+                          | None -> Forbidden)
+                    else Leads ((add0 n (Uint63.of_int (1))), false)
+               else Forbidden
+          else Irrelevant
+        | None -> Irrelevant)
+
+(** val absence_fine :
+    fault -> (Uint63.t -> ev option) -> Uint63.t -> (ev * 'a1) list -> bool **)
+
+let absence_fine x next n moves =
+  match x with
+  | Refuses x0 ->
+    (match next n with
+     | Some _ -> true
+     | None ->
+       if offers moves tick
+       then x0 tick
+       else if offers moves tau
+            then true
+            else existsb (fun mv -> x0 (fst mv)) moves)
+  | _ -> true
+
+(** val check_absence :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> model -> ev list -> fault -> 'a1 pairs
+    -> bool **)
+
+let check_absence spec eqs m t x p =
+  let next = event_at t in
+  if performs x
+  then (match next (Uint63.of_int (0)) with
+        | Some _ ->
+          walk spec eqs p (absence_needs m x next) (absence_fine x next)
+            (Uint63.of_int (0))
+        | None -> false)
+  else walk spec eqs p (absence_needs m x next) (absence_fine x next)
+         (Uint63.of_int (0))
+
+type 's refutation =
+| By_event of (ev * 's) list
+| By_refusal of (ev * 's) list
+| By_divergence of (ev * 's) list * (ev * 's) list
+
+(** val check_refutation :
+    'a1 lts -> 'a2 lts -> ('a1 -> 'a1 -> bool) -> ('a2 -> 'a2 -> bool) ->
+    model -> 'a2 refutation -> 'a1 pairs -> bool **)
+
+let check_refutation spec impl eqs eqi m v p =
+  match v with
+  | By_event r ->
+    if is_run impl eqi impl.init r
+    then check_absence spec eqs m (visible r) Performs0 p
+    else false
+  | By_refusal r ->
+    (match m with
+     | T -> false
+     | _ ->
+       if is_run impl eqi impl.init r
+       then let moves = impl.succ0 (run_end impl.init r) in
+            if can_refuse moves
+            then check_absence spec eqs m (visible r) (Refuses
+                   (refused moves)) p
+            else false
+       else false)
+  | By_divergence (r, loop0) ->
+    (match m with
+     | FD ->
+       if diverging impl eqi r loop0
+       then check_absence spec eqs FD (visible r) Diverges_after p
+       else false
+     | _ -> false)
+
 type shape = { merges : merging; packs : layout }
 
 (** val compact : shape -> system -> Uint63.t list lts **)
@@ -2203,6 +2455,38 @@ let certify_refinement m hs spec hi impl r n e p =
 let certify_property p hi impl r p0 =
   (&&) ((&&) (shape_ok hi impl) (reduction_ok (only_deadlocks p) hi r impl))
     (check_property (searched (only_deadlocks p) hi r impl) eq_words p p0)
+
+(** val certify_determinism :
+    model -> shape -> choiceless -> shape -> system -> reduction option ->
+    normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool **)
+
+let certify_determinism m hg g hi impl r n e p =
+  match m with
+  | T -> false
+  | _ ->
+    (&&) (choiceless_ok g)
+      (certify_refinement m hg (choiceless_system g) hi impl r n e p)
+
+(** val certify_possible :
+    ev list -> shape -> system -> Uint63.t list numbering -> bool **)
+
+let certify_possible goal0 hi impl h =
+  (&&) (shape_ok hi impl) (check_possible (compact hi impl) eq_words goal0 h)
+
+(** val certify_trace :
+    ev list -> shape -> system -> (ev * Uint63.t list) list -> bool **)
+
+let certify_trace t hi impl r =
+  (&&) (shape_ok hi impl) (check_trace (compact hi impl) eq_words t r)
+
+(** val certify_refutation :
+    model -> shape -> system -> shape -> system -> Uint63.t list refutation
+    -> Uint63.t list pairs -> bool **)
+
+let certify_refutation m hs spec hi impl v p =
+  (&&) ((&&) (shape_ok hs spec) (shape_ok hi impl))
+    (check_refutation (compact hs spec) (compact hi impl) eq_words eq_words m
+      v p)
 
 type term =
 | Offer of (ev * term) list

@@ -705,6 +705,86 @@ val reduced : layout -> system -> reduction -> bool -> Uint63.t list lts
 
 val only_deadlocks : property -> bool
 
+type choiceless = { choiceless_size : Uint63.t; choiceless_start : Uint63.t;
+                    choiceless_arcs : (Uint63.t -> (ev * Uint63.t) list);
+                    choiceless_events : ev list }
+
+val choiceless_system : choiceless -> system
+
+val ascending : ev -> (ev * Uint63.t) list -> bool
+
+val choiceless_ok : choiceless -> bool
+
+type 's numbering = { state_count : Uint63.t;
+                      state_number : ('s -> Uint63.t);
+                      numbered_state : (Uint63.t -> 's);
+                      distance : (Uint63.t -> Uint63.t) }
+
+val known_number :
+  ('a1 -> 'a1 -> bool) -> 'a1 numbering -> 'a1 -> Uint63.t option
+
+val nearer :
+  ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> Uint63.t -> (ev * 'a1)
+  list -> bool -> bool
+
+val check_state :
+  'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> Uint63.t ->
+  bool
+
+val check_possible :
+  'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 numbering -> bool
+
+type 's run = (ev * 's) list
+
+val is_run : 'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 run -> bool
+
+val run_end : 'a1 -> 'a1 run -> 'a1
+
+val visible : 'a1 run -> ev list
+
+val is_loop : 'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 -> 'a1 run -> bool
+
+val same_events : ev list -> ev list -> bool
+
+val check_trace :
+  'a1 lts -> ('a1 -> 'a1 -> bool) -> ev list -> 'a1 run -> bool
+
+val refused : 'a1 run -> ev -> bool
+
+val can_refuse : 'a1 run -> bool
+
+val diverging : 'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 run -> 'a1 run -> bool
+
+type fault =
+| Performs0
+| Refuses of (ev -> bool)
+| Diverges_after
+
+val plain_event_at : ev list -> Uint63.t -> ev option
+
+val event_at : ev list -> Uint63.t -> ev option
+
+val performs : fault -> bool
+
+val absence_needs :
+  model -> fault -> (Uint63.t -> ev option) -> Uint63.t -> ev -> need
+
+val absence_fine :
+  fault -> (Uint63.t -> ev option) -> Uint63.t -> (ev * 'a1) list -> bool
+
+val check_absence :
+  'a1 lts -> ('a1 -> 'a1 -> bool) -> model -> ev list -> fault -> 'a1 pairs
+  -> bool
+
+type 's refutation =
+| By_event of (ev * 's) list
+| By_refusal of (ev * 's) list
+| By_divergence of (ev * 's) list * (ev * 's) list
+
+val check_refutation :
+  'a1 lts -> 'a2 lts -> ('a1 -> 'a1 -> bool) -> ('a2 -> 'a2 -> bool) -> model
+  -> 'a2 refutation -> 'a1 pairs -> bool
+
 type shape = { merges : merging; packs : layout }
 
 val compact : shape -> system -> Uint63.t list lts
@@ -723,6 +803,20 @@ val certify_refinement :
 val certify_property :
   property -> shape -> system -> reduction option -> Uint63.t list pairs ->
   bool
+
+val certify_determinism :
+  model -> shape -> choiceless -> shape -> system -> reduction option ->
+  normal_form -> Uint63.t list evidence -> Uint63.t list pairs -> bool
+
+val certify_possible :
+  ev list -> shape -> system -> Uint63.t list numbering -> bool
+
+val certify_trace :
+  ev list -> shape -> system -> (ev * Uint63.t list) list -> bool
+
+val certify_refutation :
+  model -> shape -> system -> shape -> system -> Uint63.t list refutation ->
+  Uint63.t list pairs -> bool
 
 type term =
 | Offer of (ev * term) list

@@ -64,3 +64,12 @@ Definition satisfies {S} (p : property) (P : lts S) : Prop :=
   | Deadlock_and_divergence_free => deadlock_free P /\ divergence_free P
   | Divergence_free => divergence_free P
   end.
+
+(* After no trace can the process both perform and refuse the same event. In FD, it also does not diverge. *)
+Definition deterministic {S} (m : model) (P : lts S) : Prop :=
+  (forall t a, traces P (t ++ [a]) -> ~ failures P t (fun b => b = a)) /\
+  match m with FD => divergence_free P | _ => True end.
+
+(* Whatever has happened, an event of G can still happen. *)
+Definition stays_possible {S} (G : ev -> Prop) (P : lts S) : Prop :=
+  forall t s, reach P (init P) t s -> exists t2 u a, reach P s t2 u /\ G a /\ can P u a.
