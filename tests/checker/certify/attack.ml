@@ -62,6 +62,12 @@ let mutated process =
   end
   else { process with whole = part process.whole }
 
+(* Adds a rule with a visible event. A reduction that loses its moves changes the answer. *)
+let extended process =
+  let part = process.whole in
+  let _, level, asks, puts = pick part.rules in
+  { process with whole = { part with rules = part.rules @ [ (6, (if Random.bool () then level else Some 1), (if Random.bool () then asks else [ List.hd asks ]), puts) ] } }
+
 (** The text of a process. *)
 let text process =
   let b = Buffer.create 1000 in
@@ -366,11 +372,11 @@ let process_of (p : Formats.process) =
 (* One condition that a forged reduction does not keep. *)
 type overlooked =
   | Nothing | Visible_event | Later_level | Several_results | Not_enabled | Conflict | Disturbed_region | Left_cube | Other_event
-  | Other_place | Equal_level | Other_rule | Any_cube | Untracked | Unread
+  | Other_place | Equal_level | Other_rule | Any_cube | Untracked | Beside | Unread
 
 let all_overlooked =
   [ Nothing; Visible_event; Later_level; Several_results; Not_enabled; Conflict; Disturbed_region; Left_cube; Other_event; Other_place;
-    Equal_level; Other_rule; Any_cube; Untracked; Unread ]
+    Equal_level; Other_rule; Any_cube; Untracked; Beside; Unread ]
 
 (* Returns a reduction whose entries keep all conditions but one: the largest such set for some rules and tracked
    components. It follows each step for which it has an entry. *)
@@ -404,6 +410,8 @@ let forged_reduction overlooked (claim : Formats.claim) (plan : Certificate_chec
     || List.exists (fun h -> List.exists (fun g -> overrule g h) r.passages) w.passages
     || (w.items = r.items && (w.performed = r.performed || overlooked = Other_event))
     || (overlooked = Untracked && not (List.exists (fun it -> List.mem_assoc (item_slot it) cube) w.items))
+    || (overlooked = Beside && not (List.exists (fun it -> List.mem (item_slot it) (List.map item_slot r.items)) w.items)
+        && List.for_all (undisturbed row r.items cube) w.passages)
     || (overlooked = Conflict || List.for_all (commutes row r.items cube) w.items)
        && (overlooked = Disturbed_region || List.for_all (undisturbed row r.items cube) w.passages)
        && (List.mem overlooked [ Left_cube; Any_cube ] || List.for_all (fun o -> List.mem o present) (outcomes row cube w.items cube)) in
@@ -522,7 +530,7 @@ let () =
   for trial = 1 to trials do
     Random.init ((1_000_003 * seed) + trial);
     let spec = random_process ~busy:(not all) in
-    let impl = if Random.int 7 = 0 then random_process ~busy:(not all) else mutated spec in
+    let impl = if Random.int 7 = 0 then random_process ~busy:(not all) else if all || Random.bool () then mutated spec else extended spec in
     List.iter (fun m -> attack_question ~all seed trial (Formats.Refinement m) (Some spec) impl (refinement_holds m spec impl)) [ T; F; FD ];
     List.iter (fun p -> attack_question ~all seed trial (Formats.Property p) None impl (property_holds p impl))
       [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ]
