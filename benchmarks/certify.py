@@ -60,7 +60,7 @@ def measure(options: argparse.Namespace, case: Case, certificates: Path) -> bool
     # The certifier is not on this path, so that writing is measured alone.
     written = run(["env", "PATH=/usr/bin:/bin", *command, "--certify", str(certificates)])
     checked = run([options.certifier, str(certificates)])
-    pairs = re.search(r"([\d,]+) pairs", checked.output)
+    pairs = re.search(r"([\d,]+) pairs?\b", checked.output)
     if plain.exit != 0 or written.exit != 0 or checked.exit != 0 or not states or not pairs:
         print(f"{case.name}: not certified\n{plain.said()}{written.said()}{checked.said()}")
         return False

@@ -57,8 +57,8 @@ type t = {
   row : int -> int -> int -> (int * int) list;  (** by component, event and state: the transitions *)
   edges : (int * int) list array array;  (** by component and state *)
   events : int list array array;  (** by component and state: the events that it can perform, ascending *)
-  event_count : int;
-  able : Bytes.t array;  (** by component, by state and event: 'y' if the event is possible *)
+  alphabets : int array array;  (** by component and event: the number of the event in this component, or -1 *)
+  able : Bytes.t array array;  (** by component, state and number of the event: 'y' if the event is possible *)
   overruled : Bytes.t array;  (** by followed rule, by rule: '?' not known, 'y' prevented by the followed rule, 'n' not *)
   rules : whole_rule array;
   parts : int list array;  (** by rule: its components, ascending *)
@@ -145,10 +145,17 @@ let prepare (process : system) sizes (layout : layout) event_count ~any =
   let process = { process with edges = (fun k v -> if k < count && v < Array.length edges.(k) then edges.(k).(v) else []) } in
   let rules = Array.of_list (rules_of_whole process) in
   let events_of row = List.sort_uniq Int.compare (List.map fst row) in
+  let alphabet rows =
+    let numbers = Array.make event_count (-1) in
+    let next = ref 0 in
+    let add (e, _) = if numbers.(e) < 0 then begin numbers.(e) <- !next; incr next end in
+    Array.iter (List.iter add) rows;
+    (numbers, !next)
+  in
   let able rows =
-    let possible = Bytes.make (Array.length rows * event_count) 'n' in
-    Array.iteri (fun v row -> List.iter (fun (e, _) -> Bytes.set possible ((v * event_count) + e) 'y') row) rows;
-    possible
+    let numbers, width = alphabet rows in
+    let possible row = let b = Bytes.make width 'n' in List.iter (fun (e, _) -> Bytes.set b numbers.(e) 'y') row; b in
+    Array.map possible rows
   in
   let performs w = List.filter_map (function Performs (k, e) -> Some (k, e) | Sets _ -> None) w.items in
   let slots_of_rule w = List.sort_uniq Int.compare (List.map item_slot w.items) in
@@ -161,7 +168,7 @@ let prepare (process : system) sizes (layout : layout) event_count ~any =
                      (List.sort_uniq Int.compare (List.map fst row))) rows;
       fun e -> float_of_int (Option.value ~default:0 (Hashtbl.find_opt counts e)) /. float_of_int (max 1 (Array.length rows))) edges in
   let t =
-    { process; row = rows_by_event layout process; edges; events = Array.map (Array.map events_of) edges; event_count; able = Array.map able edges; performs = Array.map performs rules; overruled = Array.make (Array.length rules) Bytes.empty; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
+    { process; row = rows_by_event layout process; edges; events = Array.map (Array.map events_of) edges; alphabets = Array.map (fun rows -> fst (alphabet rows)) edges; able = Array.map able edges; performs = Array.map performs rules; overruled = Array.make (Array.length rules) Bytes.empty; rules; parts = Array.map slots_of_rule rules; asking; setting; guarding; leading;
       leaders = Array.map (fun rows -> Array.make (Array.length rows) None) edges;
       first = Array.make (Array.length rules) (-1); queries = [||]; query_count = 0; query_numbers = Keys.create 1000;
       entry_numbers = Keys.create 1000; entries = [||]; entry_count = 0; learning = true;
@@ -213,7 +220,11 @@ let add_entry t rule cube =
 
 exception Disturbed of int option
 
-let[@inline] can t k v e = v < Array.length t.edges.(k) && Bytes.get t.able.(k) ((v * t.event_count) + e) = 'y'
+let[@inline] can t k v e =
+  v < Array.length t.edges.(k)
+  &&
+  let number = t.alphabets.(k).(e) in
+  number >= 0 && Bytes.get t.able.(k).(v) number = 'y'
 
 (* Returns whether the followed rule prevents the other rule by a priority. *)
 let is_overruled t rule n =
@@ -363,7 +374,7 @@ let pack t locals =
   Array.to_list result
 
 let longest_sequence = 1_000
-let most_known = 500_000
+let most_known = 100_000
 
 let remember t words path =
   if Keys.length t.known >= most_known then Keys.reset t.known;
