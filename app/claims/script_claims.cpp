@@ -161,7 +161,7 @@ void ScriptClaims::certify(const cspm::Decl& assertion, const driver::SearchCont
     const std::size_t script = report_.assertions.size() - script_.assertions.size();  // entries of earlier scripts
     const std::string number = script == 0 ? std::to_string(one.number) : fmt::format("{}.{}", script, one.number);
     one.certificate =
-        driver::write_certificates(open_.open_session(), {number, one.text, one.place, {&assertion}}, search);
+        driver::write_certificates(open_.open_session(), {number, one.text, one.place, {&assertion}, {}}, search);
 }
 
 void ScriptClaims::store_result(std::size_t at, ScriptAssertion one) {

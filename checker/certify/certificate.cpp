@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,27 +20,51 @@ using cspm::Assertion;
 using cspm::AssertionKind;
 
 constexpr const char* refinement_in_divergences = "refinement in the failures-divergences model";
+constexpr const char* product_claim = "certificates of this kind of claim are about compiled processes";
 
-/// Returns the claim of the assertion in the words of a certificate. Returns no value if no certificates exist for
-/// assertions of this kind.
-std::optional<std::string> claim_words(const Assertion& assertion) {
+/// A claim in the words of a certificate, or the reason why there are no certificates for it.
+struct Words {
+    std::optional<std::string> claim;
+    std::string reason;
+};
+
+/// Returns the model of the assertion in words; "" if it is not supported. The default is failures-divergences.
+std::string model_words(const Assertion& assertion) {
+    switch (assertion.model) {
+        case cspm::Model::traces:
+            return "traces model";
+        case cspm::Model::failures:
+            return "failures model";
+        case cspm::Model::none:
+        case cspm::Model::failures_divergences:
+            return "failures-divergences model";
+        default:
+            return "";
+    }
+}
+
+Words claim_words(const Assertion& assertion) {
     const bool divergence =
         assertion.model == cspm::Model::none || assertion.model == cspm::Model::failures_divergences;
+    const std::string model = model_words(assertion);
+    if (model.empty()) return {std::nullopt, "there are no certificates for this model"};
+    if (assertion.kind == AssertionKind::refinement)
+        return {fmt::format("{}refinement in the {}", assertion.negated ? "no " : "", model), ""};
+    if (assertion.negated) return {std::nullopt, "it rests on an assertion about one process that fails"};
     switch (assertion.kind) {
         case AssertionKind::refinement:
-            if (assertion.model == cspm::Model::traces) return "refinement in the traces model";
-            if (assertion.model == cspm::Model::failures) return "refinement in the failures model";
-            if (divergence) return refinement_in_divergences;
-            return std::nullopt;
-        case AssertionKind::deadlock_free:
-            return divergence ? "deadlock and divergence freedom" : "deadlock freedom";
-        case AssertionKind::divergence_free:
-            return "divergence freedom";
-        case AssertionKind::deterministic:
-        case AssertionKind::has_trace:
             break;
+        case AssertionKind::deadlock_free:
+            return {divergence ? "deadlock and divergence freedom" : "deadlock freedom", ""};
+        case AssertionKind::divergence_free:
+            return {"divergence freedom", ""};
+        case AssertionKind::deterministic:  // in T, the check is the same as in F
+            return {fmt::format("determinism in the {}", divergence ? model : "failures model"), ""};
+        case AssertionKind::has_trace:
+            if (assertion.model == cspm::Model::traces) return {"the events are a trace", ""};
+            return {std::nullopt, "there are no certificates for `has trace` in the models F and FD"};
     }
-    return std::nullopt;
+    return {std::nullopt, "there are no certificates for this kind of assertion"};
 }
 
 std::string claim_text(const std::string& words, const ClaimLines& lines, const Certificate& parts) {
@@ -54,23 +77,22 @@ std::string claim_text(const std::string& words, const ClaimLines& lines, const 
     return text + fmt::format("end-sha256: {}\n", diagnostics::sha256(text));
 }
 
-/// Returns true if the declaration is inside a module or a timed section.
-bool is_nested(const std::vector<cspm::DeclPtr>& declarations, const cspm::Decl& searched, bool inside) {
-    return std::ranges::any_of(declarations, [&](const cspm::DeclPtr& one) {
-        return (inside && one.get() == &searched) || is_nested(one->decls, searched, true) ||
-               is_nested(one->exports, searched, true);
-    });
-}
-
 CertificateResult none(std::string reason) {
     return {std::nullopt, std::move(reason)};
 }
 
+/// Returns true if there are certificates at the term level for assertions of this kind.
+bool has_term_level(const Assertion& assertion) {
+    return !assertion.negated && assertion.kind != AssertionKind::deterministic &&
+           assertion.kind != AssertionKind::has_trace;
+}
+
 /// Returns the text of the term that an expression denotes. An error in a definition that no state reaches, and which
 /// the search has not evaluated, is a reason for the product level.
-TermText text_of_term(cspm::Session& session, const cspm::ExprPtr& expression, diagnostics::Pollable& budget) {
+TermText text_of_term(cspm::Session& session, const cspm::ExprPtr& expression, const cspm::Decl& assertion,
+                      diagnostics::Pollable& budget) {
     try {
-        return term_text(session.terms(), session.process(expression), budget);
+        return term_text(session.terms(), session.side(expression, assertion), budget);
     } catch (const cspm::EvaluationError& error) {
         return {std::nullopt, error.what()};
     } catch (const process::SemanticsError& error) {
@@ -79,11 +101,13 @@ TermText text_of_term(cspm::Session& session, const cspm::ExprPtr& expression, d
 }
 
 /// Replaces the compiled processes of a certificate by their terms if all of them can be written.
-void replace_by_terms(cspm::Session& session, const Assertion& assertion, diagnostics::Pollable& budget,
+void replace_by_terms(cspm::Session& session, const cspm::Decl& claim, diagnostics::Pollable& budget,
                       Certificate& certificate) {
+    const Assertion& assertion = claim.assertion;
     const bool refinement = assertion.kind == AssertionKind::refinement;
-    TermText first = text_of_term(session, assertion.specification, budget);
-    TermText second = first.text && refinement ? text_of_term(session, assertion.implementation, budget) : TermText{};
+    TermText first = text_of_term(session, assertion.specification, claim, budget);
+    TermText second =
+        first.text && refinement ? text_of_term(session, assertion.implementation, claim, budget) : TermText{};
     certificate.why_product = first.reason + second.reason;
     if (!certificate.why_product.empty()) return;
     certificate.level = Level::term;
@@ -91,28 +115,62 @@ void replace_by_terms(cspm::Session& session, const Assertion& assertion, diagno
     certificate.implementation = std::move(refinement ? *second.text : *first.text);
 }
 
+/// Returns the text of a process; no value if it has too many states.
+std::optional<std::string> text_of(lts::TransitionSystem& process, cspm::Session& session, refine::Budget& budget) {
+    process.set_budget(budget);
+    const std::optional<ProcessText> text = process_text(process, session.terms(), budget);
+    process.set_budget(diagnostics::unlimited);
+    return text ? std::optional(text->text) : std::nullopt;
+}
+
+CertificateResult too_large() {
+    return none(fmt::format("a process that is not compiled has more than {} states", most_explicit_states));
+}
+
 CertificateResult make_from_sides(const std::string& words, cspm::Session& session, const cspm::Decl& assertion,
                                   const std::string& source, const refine::Limits& limits, Level highest) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
-    const auto text_of = [&](const cspm::ExprPtr& expression) {
-        const std::unique_ptr<lts::TransitionSystem> side = session.whole_system(expression, limits);
-        side->set_budget(budget);
-        const auto text = process_text(*side, session.terms(), budget);
-        side->set_budget(diagnostics::unlimited);
-        return text;
+    const auto side_text = [&](const cspm::ExprPtr& expression) {
+        return text_of(*session.whole_side(expression, assertion, limits), session, budget);
     };
-    const bool refinement = assertion.assertion.kind == AssertionKind::refinement;
-    const std::optional<ProcessText> first = text_of(assertion.assertion.specification);
-    const std::optional<ProcessText> second = refinement ? text_of(assertion.assertion.implementation) : std::nullopt;
-    if (!first || (refinement && !second))
-        return none(fmt::format("a process that is not compiled has more than {} states", most_explicit_states));
+    const AssertionKind kind = assertion.assertion.kind;
+    const std::optional<std::string> first = side_text(assertion.assertion.specification);
+    if (!first) return too_large();
     Certificate result;
     result.level = Level::product;
-    result.specification = refinement ? first->text : "";
-    result.implementation = refinement ? second->text : first->text;
-    if (highest == Level::term) replace_by_terms(session, assertion.assertion, budget, result);
+    result.implementation = *first;
+    if (kind == AssertionKind::has_trace)
+        result.specification = event_list_text(session.event_table(), session.trace(assertion));
+    if (kind == AssertionKind::refinement) {
+        const std::optional<std::string> second = side_text(assertion.assertion.implementation);
+        if (!second) return too_large();
+        result.specification = *first;
+        result.implementation = *second;
+    }
+    if (!has_term_level(assertion.assertion))
+        result.why_product = product_claim;
+    else if (highest == Level::term)
+        replace_by_terms(session, assertion, budget, result);
     const std::string digest = diagnostics::sha256(cspm::print(session.script()));
     result.claim = claim_text(words, {cspm::print(assertion), source, digest}, result);
+    return {std::move(result), ""};
+}
+
+CertificateResult make_from_goal(cspm::Session& session, const StaysPossible& claim, const std::string& source,
+                                 const refine::Limits& limits) {
+    refine::Budget budget(limits, refine::Progress::Phase::compiling);
+    const std::optional<std::string> process = text_of(*session.whole_system(claim.process, limits), session, budget);
+    if (!process) return too_large();
+    Certificate result;
+    result.level = Level::product;
+    result.why_product = product_claim;
+    result.implementation = *process;
+    const process::EventSet goal = session.events(claim.goal);
+    result.specification = event_list_text(session.event_table(), {goal.begin(), goal.end()});
+    const std::string statement =
+        fmt::format("an event of {} stays possible in {}", cspm::print(claim.goal), cspm::print(claim.process));
+    const std::string digest = diagnostics::sha256(cspm::print(session.script()));
+    result.claim = claim_text("one of the events stays possible", {statement, source, digest}, result);
     return {std::move(result), ""};
 }
 
@@ -124,15 +182,20 @@ const char* level_name(Level level) {
 
 CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion, const std::string& source,
                                    const refine::Limits& limits, Level highest) {
-    const std::optional<std::string> words = claim_words(assertion.assertion);
-    if (!words) return none("there are no certificates for this kind of assertion");
-    if (assertion.assertion.negated)
-        return none("it rests on an assertion that fails, and certificates say that assertions hold");
-    if (assertion.assertion.tau_priority) return none("there are no certificates for `tau priority`");
-    if (is_nested(session.script().decls, assertion, false))
-        return none("there are no certificates for assertions inside modules and timed sections");
+    Words words = claim_words(assertion.assertion);
+    if (!words.claim) return none(words.reason);
+    if (assertion.assertion.tau_priority) *words.claim += " under tau priority";
     try {
-        return make_from_sides(*words, session, assertion, source, limits, highest);
+        return make_from_sides(*words.claim, session, assertion, source, limits, highest);
+    } catch (const process::Interrupted& limit) {
+        return none(limit.what());
+    }
+}
+
+CertificateResult make_certificate(cspm::Session& session, const StaysPossible& claim, const std::string& source,
+                                   const refine::Limits& limits) {
+    try {
+        return make_from_goal(session, claim, source, limits);
     } catch (const process::Interrupted& limit) {
         return none(limit.what());
     }

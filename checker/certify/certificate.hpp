@@ -32,7 +32,7 @@ struct Certificate {
     Level level = Level::term;
     std::string why_product;                ///< why the terms could not be written; "" at the term level
     std::string claim;                      ///< claim.txt
-    std::string specification;              ///< specification.txt; "" for a property of one process
+    std::string specification;              ///< specification.txt; "" for most properties of one process
     std::string implementation;             ///< implementation.txt
     std::vector<FurtherFile> further = {};  ///< for conformance: the code and the states of its table
 };
@@ -61,6 +61,16 @@ struct CertificateResult {
 /// text (process_text.hpp). Does not check that the refinement holds.
 [[nodiscard]] Certificate refinement_certificate(const ClaimLines& lines, std::string specification,
                                                  std::string implementation);
+
+/// The claim that an event of the goal can still happen, whatever has happened.
+struct StaysPossible {
+    cspm::ExprPtr process;
+    cspm::ExprPtr goal;  ///< a set of events
+};
+
+/// Does the same for this claim, which no assertion states.
+[[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const StaysPossible& claim,
+                                                 const std::string& source, const refine::Limits& limits);
 
 /// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
 /// files. So an incomplete folder of a run that was stopped is not taken for a certificate. Returns "" on success, and

@@ -192,6 +192,12 @@ ProcessText graph_text(const lts::Graph& graph, const lts::EventTable& events, d
     return writer.finish();
 }
 
+std::string event_list_text(const lts::EventTable& table, const std::vector<lts::Event>& events) {
+    std::string text = fmt::format("robochart-verify events 1\nevents {}\n", events.size());
+    for (const Event event : events) text += one_line(table.name(event)) + "\n";
+    return text + "end\n";
+}
+
 std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
                                         diagnostics::Pollable& budget) {
     if (const auto* const compiled = dynamic_cast<const machine::SupercombinatorSystem*>(&process))

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/diagnostics/pollable.hpp"
 #include "checker/lts/graph.hpp"
@@ -26,6 +27,9 @@ inline constexpr std::size_t most_explicit_states = 200'000;
 
 /// Returns the text in one line: a space replaces each group of control characters and the spaces after it.
 [[nodiscard]] std::string one_line(const std::string& text);
+
+/// Returns the text of a list of events.
+[[nodiscard]] std::string event_list_text(const lts::EventTable& table, const std::vector<lts::Event>& events);
 
 /// Returns the text of the process. Components are named by their terms. Returns no value for a process that is not
 /// compiled and has too many states. Polls the budget. Throws the exceptions of the process.

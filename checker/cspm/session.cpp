@@ -270,6 +270,11 @@ struct Session::Impl {
         progress.states = stage.states;
     }
 
+    std::vector<process::Event> trace(const Decl& assertion) {
+        const LoadedScript::Ready events = loaded.compile_expression(assertion.assertion.implementation, &assertion);
+        return loaded.evaluator.trace(*events.code, *events.unit);
+    }
+
     struct Sides {
         /// `second` is null unless the assertion is a refinement.
         std::unique_ptr<lts::TransitionSystem> first, second;
@@ -601,11 +606,8 @@ struct Session::Impl {
                 return refine::divergence_free(first, limits, earlier);
             case AssertionKind::deterministic:
                 return refine::deterministic(first, in, limits, earlier);
-            case AssertionKind::has_trace: {
-                const LoadedScript::Ready trace =
-                    loaded.compile_expression(assertion.assertion.implementation, &assertion);
-                return refine::has_trace(first, loaded.evaluator.trace(*trace.code, *trace.unit), in, limits);
-            }
+            case AssertionKind::has_trace:
+                return refine::has_trace(first, trace(assertion), in, limits);
         }
         throw EvaluationError("an assertion of no kind", assertion.span, {});
     }
@@ -726,6 +728,23 @@ std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr
     const Impl::Polling polling(*impl_, budget);
     return impl_->loaded.evaluated_at(expr->span,
                                       [&] { return impl_->whole_system(process(expr), expr->span, budget); });
+}
+
+process::TermId Session::side(const ExprPtr& expr, const Decl& assertion) {
+    LoadedScript& loaded = impl_->loaded;
+    return loaded.evaluated_at(expr->span, [&] { return loaded.term_of(loaded.compile_side(expr, assertion)); });
+}
+
+std::unique_ptr<lts::TransitionSystem> Session::whole_side(const ExprPtr& expr, const Decl& assertion,
+                                                           const refine::Limits& limits) {
+    refine::Budget budget(limits, refine::Progress::Phase::compiling);
+    const Impl::Polling polling(*impl_, budget);
+    return impl_->loaded.evaluated_at(expr->span,
+                                      [&] { return impl_->whole_system(side(expr, assertion), expr->span, budget); });
+}
+
+std::vector<process::Event> Session::trace(const Decl& assertion) {
+    return impl_->loaded.evaluated_at(assertion.span, [&] { return impl_->trace(assertion); });
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {

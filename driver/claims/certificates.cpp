@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <filesystem>
@@ -19,21 +20,24 @@
 namespace robochart::driver {
 namespace {
 
-/// Returns a certificate for each assertion. If an assertion has no certificate, the report gets the reason.
+/// Returns a certificate for each part of the claim. If a part has no certificate, the report gets the reason.
 std::vector<certify::Certificate> make_certificates(cspm::Session& session, const CertifiedClaim& claim,
                                                     const SearchContext& search, CertificateReport& report) {
     const std::string source = claim.place.empty() ? claim.title : fmt::format("{} ({})", claim.title, claim.place);
     std::vector<certify::Certificate> result;
-    for (const cspm::Decl* const assertion : claim.assertions) {
+    const auto add = [&](const auto& part) {
         certify::CertificateResult one =
-            certify::make_certificate(session, *assertion, source, limits_of_check(search, claim.title));
-        if (!one.certificate) {
-            report.reason = one.reason;
-            return {};
-        }
+            certify::make_certificate(session, part, source, limits_of_check(search, claim.title));
+        report.reason = one.reason;
+        if (!one.certificate) return false;
         if (report.why_product.empty()) report.why_product = one.certificate->why_product;
         result.push_back(std::move(*one.certificate));
-    }
+        return true;
+    };
+    const bool complete =
+        std::ranges::all_of(claim.assertions, [&](const cspm::Decl* const assertion) { return add(*assertion); }) &&
+        std::ranges::all_of(claim.possible, add);
+    if (!complete) result.clear();
     report.level = certify::level_name(report.why_product.empty() ? certify::Level::term : certify::Level::product);
     return result;
 }

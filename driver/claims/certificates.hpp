@@ -18,11 +18,12 @@ struct CertifiedClaim {
     std::string number;  ///< the number of the claim, which the names of folders contain
     std::string title;
     std::string place;
-    std::vector<const cspm::Decl*> assertions;  ///< all of them hold, and together they are the claim
+    std::vector<const cspm::Decl*> assertions;     ///< all of them hold
+    std::vector<certify::StaysPossible> possible;  ///< all of them hold; with the assertions, they are the claim
 };
 
-/// Writes a certificate for each assertion of a claim that holds, into the folder that the settings name. Writes none
-/// if one assertion has no certificate. Then checks them with robochart-certify, if this program is in the folder of
+/// Writes a certificate for each part of a claim that holds, into the folder that the settings name. Writes none if one
+/// part has no certificate. Then checks them with robochart-certify, if this program is in the folder of
 /// the current one or in PATH.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 

@@ -589,13 +589,23 @@ bool TimeClaims::store(AssertionReport report, const ListedClaim& claim) {
 CertificateReport TimeClaims::certificate_of(const ListedClaim& claim, const AssertionReport& one,
                                              const std::vector<cspm::DeclPtr>& assertions,
                                              const SearchContext& search) {
-    if (assertions.empty()) return {{}, "there are no certificates for this kind of claim"};
-    if (claim.obligation->recurrence) return {{}, "there are no certificates that something happens again and again"};
-    if (claim.obligation->premise != nullptr) return {{}, "the claim has a premise, which has no certificate"};
-    std::vector<const cspm::Decl*> plain;
-    for (const cspm::DeclPtr& assertion : assertions) plain.push_back(assertion.get());
-    return driver::write_certificates(*session_,
-                                      {std::to_string(first_ + claim.number + 1), one.title, one.place, plain}, search);
+    const csp_emit::Obligation& obligation = *claim.obligation;
+    const bool recurrence_alone = obligation.recurrence && obligation.assertions.empty();
+    if (assertions.empty() && !recurrence_alone) return {{}, "there are no certificates for this kind of claim"};
+    CertifiedClaim certified{std::to_string(first_ + claim.number + 1), one.title, one.place, {}, {}};
+    const auto add_assertions = [&](const std::vector<cspm::DeclPtr>& all) {
+        for (const cspm::DeclPtr& assertion : all) certified.assertions.push_back(assertion.get());
+    };
+    const auto add_recurrence = [&](const csp_emit::RecurrenceQuestion& question) {
+        certified.possible.push_back({question.process, question.goal});
+    };
+    add_assertions(assertions);
+    if (obligation.recurrence) add_recurrence(*obligation.recurrence);
+    if (obligation.premise != nullptr) {
+        add_assertions(obligation.premise->assertions);
+        if (obligation.premise->recurrence.process) add_recurrence(obligation.premise->recurrence);
+    }
+    return driver::write_certificates(*session_, certified, search);
 }
 
 std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,

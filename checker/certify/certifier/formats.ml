@@ -288,6 +288,11 @@ let questions =
     ("no refinement in the failures model", No_refinement F);
     ("no refinement in the failures-divergences model", No_refinement FD) ]
 
+(* Removes the suffix, which states how the processes of the certificate were made from those of the assertion. *)
+let without_suffix text suffix =
+  let length = String.length text - String.length suffix in
+  if length >= 0 && String.sub text length (String.length suffix) = suffix then String.sub text 0 length else text
+
 type claim = {
   question : question;
   question_text : string;
@@ -322,7 +327,7 @@ let read_claim folder =
   if keyword lines "end-sha256:" <> Sha256.hex covered then fail lines "the digest of the lines above is another one";
   if lines.at <> String.length text then fail lines "the file goes on after its end";
   let question =
-    match List.assoc_opt question_text questions with
+    match List.assoc_opt (without_suffix question_text " under tau priority") questions with
     | Some question -> question
     | None -> unreadable "%s: the claim `%s` is not known" file question_text
   in

@@ -161,6 +161,37 @@ let refinement_holds model (spec_start, spec_steps) (impl_start, impl_steps) =
   in
   check impl_start (close [ spec_start ])
 
+(* No trace t and event e exist such that t followed by e is a trace, and e can be refused after t. *)
+let is_deterministic model (start, steps) =
+  let si = memo steps in
+  let close l = reachable si l (fun e -> e = 0) in
+  let refuses s e =
+    let offered = List.map fst (si s) in
+    if List.mem 1 offered then e <> 1 else not (List.mem 0 offered || List.mem e offered) in
+  let seen = Hashtbl.create 50 in
+  let rec check set =
+    Hashtbl.mem seen set
+    || begin
+         Hashtbl.add seen set ();
+         let events = List.sort_uniq compare (List.filter (fun e -> e <> 0) (List.concat_map (fun s -> List.map fst (si s)) set)) in
+         let after e = close (List.concat_map (fun s -> List.filter_map (fun (e', u) -> if e = e' then Some u else None) (si s)) set) in
+         (model <> FD || not (List.exists (diverges si) set))
+         && List.for_all (fun e -> not (List.exists (fun s -> refuses s e) set) && check (after e)) events
+       end
+  in
+  check (close [ start ])
+
+let stays_possible events (start, steps) =
+  let si = memo steps in
+  let near s = List.exists (fun (e, _) -> List.mem e events) (si s) in
+  List.for_all (fun s -> List.exists near (reachable si [ s ] (fun _ -> true))) (reachable si [ start ] (fun _ -> true))
+
+let has_trace events (start, steps) =
+  let si = memo steps in
+  let close l = reachable si l (fun e -> e = 0) in
+  let after set e = close (List.concat_map (fun s -> List.filter_map (fun (e', u) -> if e = e' then Some u else None) (si s)) set) in
+  List.fold_left after (close [ start ]) events <> []
+
 let property_holds property (impl_start, impl_steps) =
   let si = memo impl_steps in
   let all = reachable si [ impl_start ] (fun _ -> true) in
@@ -325,12 +356,12 @@ let rec small make =
   if is_small t then t else small make
 
 (** Attacks. *)
-let claim_of question specification implementation : Formats.claim =
+let claim_of ?(events = []) question specification implementation : Formats.claim =
   let names = Formats.no_names () in
   let read text = Formats.read_side names "process" text in
   let specification = Option.map read specification in
   let implementation = read implementation in
-  { question; question_text = ""; assertion = ""; source = ""; specification; implementation;
+  { question; question_text = ""; assertion = ""; source = ""; specification; events; implementation;
     event_name = Formats.name_of names; event_count = names.next }
 
 let most = 100_000
@@ -766,6 +797,87 @@ let attack_question ~all seed trial question spec_text impl_text truth =
         end
   done
 
+(** Claims about compiled processes alone: determinism, events that stay possible, traces, and refinements that fail. *)
+
+let random_run (lts : Search.words lts) =
+  let rec go s left = match lts.succ0 s with
+    | [] -> []
+    | moves -> if left = 0 then [] else let a, u = pick moves in (a, u) :: go u (left - 1) in
+  go lts.init (Random.int 5)
+
+(* A run in which one move leads elsewhere. *)
+let broken_run run =
+  let at = Random.int (max 1 (List.length run)) in
+  List.mapi (fun i (a, u) -> if i <> at then (a, u) else match Random.int 3 with
+    | 0 -> (Random.int 7, u)
+    | 1 -> (a, List.map (fun w -> w lxor (1 lsl Random.int 4)) u)
+    | _ -> (a, snd (pick run))) run
+
+let forged_numbering (n : int list numbering) =
+  let salt = Random.bits () and kind = Random.int 4 in
+  let lie key honest other = if Hashtbl.hash (salt, key) mod 3 = 0 then other (abs (Hashtbl.hash (salt, key, 1))) else honest in
+  match kind with
+  | 0 -> { n with distance = (fun j -> Hashtbl.hash (salt, j) mod 9) }
+  | 1 -> { n with state_number = (fun s -> lie s (n.state_number s) (fun r -> r mod max 1 n.state_count)) }
+  | 2 -> { n with state_count = Random.int (n.state_count + 1); state_number = (fun s -> min (n.state_number s) (Random.int (n.state_count + 1))) }
+  | _ -> { n with numbered_state = (fun j -> lie j (n.numbered_state j) (fun r -> n.numbered_state (r mod (j + 1)))); distance = (fun j -> lie (-j) (n.distance j) (fun r -> r mod 5)) }
+
+(* Evidence for a claim of this kind, right or wrong. *)
+let forged_evidence (claim : Formats.claim) () =
+  let impl = Certificate_check.compiled claim.implementation in
+  let shape = Certificate_check.shape_of impl claim.event_count in
+  let lts = compact shape impl.system in
+  let name = string_of_int and width = Certificate_check.width shape in
+  let proof : Certificate_check.proof = match (claim.question, claim.specification) with
+    | Formats.Stays_possible, _ ->
+        let found, distance, _ = Search.distances lts width claim.events ~most ~name ~state_name:(fun _ -> "") in
+        Of_possible (claim.events, shape, impl.system, forged_numbering (Search.numbering_of found distance))
+    | Has_trace, _ -> Of_trace (claim.events, shape, impl.system, let run = random_run lts in if Random.bool () then broken_run run else run)
+    | No_refinement model, Some spec ->
+        let run = random_run lts in
+        let run = if Random.int 3 = 0 then broken_run run else run in
+        let loop = List.filter (fun (a, _) -> a = 0) (random_run lts) in
+        let performs, refutation = pick [ (true, By_event run); (false, By_refusal run); (false, By_divergence (run, loop)) ] in
+        let proof, _ =
+          Certificate_check.refutation_of ~lenient:true claim model (Certificate_check.compiled spec)
+            (Certificate_check.shown_by run performs refutation) ~most in
+        if Random.bool () then proof
+        else (match proof with
+          | Of_refutation (m, hs, s, hi, i, r, p) ->
+              (match lying (Certificate_check.Of_property (Deadlock_free, hi, System i, p)) with
+              | Of_property (_, _, _, p) -> Of_refutation (m, hs, s, hi, i, r, p)
+              | other -> other)
+          | other -> other)
+    | Determinism _, _ ->
+        let forge_graph rows =
+          let count = Array.length rows in
+          let change row = List.filter_map (fun (a, j) -> match Random.int 4 with 0 -> None | 1 -> Some (a, Random.int count) | _ -> Some (a, j)) row in
+          let more row = if Random.bool () then row else (1 + Random.int 6, Random.int count) :: row in
+          Array.map (fun row -> more (change row)) rows in
+        let plan = Certificate_check.plan_of ~forge:(pick forges) ~forge_graph claim ~most in
+        plan.completed (Search.pairs_record (Certificate_check.search_pairs ~lenient:true plan ~most) plan.choose)
+    | _ -> raise Not_found in
+  Certificate_check.accepted proof
+
+let attack_shown seed trial question ?(events = []) spec impl truth =
+  let claim = claim_of ~events question spec impl in
+  (match Certificate_check.certify claim ~most with
+  | Certified _ -> if truth then incr held else report_wrong "an honest search" seed trial
+  | Refused why | Undecided why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
+  for _ = 1 to 12 do
+    if accepted_attack (forged_evidence claim) then if truth then incr lies_accepted else report_wrong "forged evidence" seed trial
+  done
+
+let attack_all_shown seed trial spec impl =
+  let process p = (p.initial, successors p) in
+  let some_events = List.filter (fun _ -> Random.int 3 = 0) [ 1; 2; 3; 4; 5; 6 ] in
+  let trace = times (Random.int 4) (fun () -> 1 + Random.int 6) in
+  let shown = attack_shown seed trial in
+  List.iter (fun m -> shown (Formats.Determinism m) None (text impl) (is_deterministic m (process impl))) [ F; FD ];
+  shown Formats.Stays_possible ~events:some_events None (text impl) (stays_possible some_events (process impl));
+  shown Formats.Has_trace ~events:trace None (text impl) (has_trace trace (process impl));
+  List.iter (fun m -> shown (Formats.No_refinement m) (Some (text spec)) (text impl) (not (refinement_holds m (process spec) (process impl)))) [ T; F; FD ]
+
 let () =
   let seed = int_of_string Sys.argv.(1) and trials = int_of_string Sys.argv.(2) in
   let all = Array.length Sys.argv < 4 in
@@ -783,6 +895,7 @@ let () =
     let impl = if Random.int 7 = 0 then random_process ~busy:(not all) else if all || Random.bool () then mutated spec else extended spec in
     let compiled p = (text p, Of_process (p.initial, successors p)) in
     attack_both (compiled spec) (compiled impl);
+    if all then attack_all_shown seed trial spec impl;
     if all then begin
       let spec = small random_script in
       let impl = small (fun () -> if Random.int 7 = 0 then random_script () else mutated_script spec) in
