@@ -24,7 +24,7 @@ struct CertifiedClaim {
 /// the current one or in PATH.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
-/// Returns an error message if the folder contains files, and "" if it is empty or does not exist. Otherwise
+/// Returns an error message if the folder contains files, and "" if it is empty or does not exist. Without this check,
 /// certificates of earlier runs could be mistaken for those of this run.
 [[nodiscard]] std::string why_not_empty(const std::string& folder);
 
