@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::size_t max_state_bytes = 64U << 10U;
 
-/// Returns true if the exploration interface can be written. Reports an error if it cannot but is required.
+/// Returns true if the exploration interface can be written. Reports an error if it is required but cannot be written.
 bool check_explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     if (generation.options.tracked_scale > 0) return true;  // its numbers have no carriers

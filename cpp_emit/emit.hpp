@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the shared IR to C++ controllers. Users see the classes of the founding paper (Li et al., 2017). These call
-// a core: its state is a value, and its step runs until no transition is enabled. The CSP semantics are not used.
+// Converts the shared IR to C++ controllers without the CSP semantics. Users see the classes of Li et al., 2017 (the
+// founding paper) over a core, whose state is a value and whose step function runs to quiescence.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace robochart::cpp_emit {
 
 /// Emits the controller of one state machine, controller or module. `component` is a path as in ir::ComponentRef
-/// ("AggregationFSM", "AggregationModule"). Names each construct that has no translation to C++ and rejects it.
+/// ("AggregationFSM", "AggregationModule"). Rejects constructs that have no translation to C++, and names each of them.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                             const Options&, diagnostics::Diagnostics&);
 

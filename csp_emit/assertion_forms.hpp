@@ -53,7 +53,7 @@ struct WatchedCopy {
 [[nodiscard]] WatchedCopy clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& clock, const std::string& purpose);
 /// Returns a copy of a machine. When it offers an event, it shows whether it is in `state` (MachineContext::offered).
-/// With `state` null, it counts as inside until it ends.
+/// If `state` is null, the machine counts as inside until it ends.
 [[nodiscard]] WatchedCopy offer_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& event, const ir::Node* state, const std::string& purpose);
 /// Returns a process that performs `missed__` if and only if `event` can be missed for `units` time units by a copy

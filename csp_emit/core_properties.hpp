@@ -11,9 +11,9 @@
 namespace robochart::csp_emit {
 
 /// Returns the core properties of every module, controller and state machine, one component after the other. Required:
-/// the component has no deadlock, divergence or timelock, and reads no clock before it is set. All other properties
-/// only inform. A component that has terminated is neither a deadlock nor a timelock. Assumption: the platform accepts
-/// every call, output and write at once.
+/// the component has no deadlock, divergence or timelock, and reads no clock before it is set. All other properties are
+/// informative. A component that has terminated counts neither as a deadlock nor as a timelock. Assumption: the
+/// platform accepts every call, output and write at once.
 [[nodiscard]] std::vector<Obligation> core_properties(const Project&, NameManager&, Emitted&);
 
 }  // namespace robochart::csp_emit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts the shared IR to its CSP semantics: a CSPM syntax tree that both FDR and our checker can read. Names and
-// alphabets are those of RoboTool (docs/semantics.md). The structure is different: each machine is one sequential
+// alphabets are those of RoboTool (docs/semantics.md). The structure is our own: each machine is one sequential
 // process, with its variables and clocks as parameters.
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace robochart::csp_emit {
 
-/// Emits all components of the system for one semantics (untimed or timed). The CSPM reader parses the CSP blocks
-/// and reports syntax errors at their places in the .assertions file. Names each construct that has no CSP
-/// semantics.
+/// Emits all components of the system for one semantics (untimed or timed). The CSPM reader parses the CSP blocks and
+/// reports syntax errors at their places in the .assertions file. Constructs without CSP semantics are reported by
+/// name.
 [[nodiscard]] Emission emit(const ir::System&, const ir::Instantiation&, Time, const Options&,
                             diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

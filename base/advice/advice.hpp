@@ -14,9 +14,9 @@ namespace robochart::diagnostics {
 /// the correct form.
 struct Advice {
     std::string_view expected;  ///< what the parser expected, in the words of its message; "" for any
-    /// The tokens around an error, separated by blanks. The token after `@` is the one that the parser found there.
-    /// `NAME` matches any name that is not reserved, `NUMBER` a number, `TEXT` a string, and `END` the end of the
-    /// text.
+    /// The tokens around the error, separated by blanks. `@` marks the place of the error: the token after it is the
+    /// one that the parser found. `NAME` matches any name that is not reserved, `NUMBER` a number, `TEXT` a string, and
+    /// `END` the end of the text.
     std::string_view words;
     std::string_view advice;  ///< a sentence without a full stop
 };

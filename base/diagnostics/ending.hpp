@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the end of the program fast. To destroy gigabytes of small objects takes seconds. When no more work follows,
-// the program leaves them, and the system frees the memory of the process at once.
+// Makes the end of the program fast. Destroying gigabytes of small objects takes seconds. When no more work follows,
+// the program does not destroy them, and the system frees the memory of the process at once.
 #pragma once
 
 #include <atomic>

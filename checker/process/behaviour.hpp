@@ -23,7 +23,7 @@ struct Behaviour {
     std::string state;            ///< description of the part's last state
     EventSet offered;             ///< visible events and tick that the last state offers
     bool stable = true;           ///< true if the last state has no tau
-    bool own_run = false;         ///< true for the operand of a compression, which has a separate run
+    bool own_run = false;         ///< true for the operand of a compression, whose trace is that of a separate run
     bool left = false;  ///< true if the part ended before the whole process: another part replaced it, or it terminated
     std::vector<Behaviour> parts;
     TermId initial{};             ///< the part's initial term

@@ -40,10 +40,10 @@ using Interrupted = diagnostics::LimitReached;
 /// Computes and stores the transitions of the terms of one store.
 class OperationalSemantics {
 public:
-    /// With a compressor, the operand of a compressed term is explored when the term's transitions are first needed.
-    /// The term then behaves as the machine that the compressor returns. Without a compressor, or if there are too many
-    /// states, it behaves as its operand. Use only one object for each store: the states of machines are terms, and
-    /// only the object that created such a term knows its transitions.
+    /// With a compressor, the operand of a compressed term is explored completely when the term's transitions are first
+    /// needed. The term then behaves as the machine that the compressor returns. Without a compressor, or if there are
+    /// too many states, it behaves as its operand. Use only one object for each store: states of machines are terms,
+    /// and only the object that created such a term knows its transitions.
     explicit OperationalSemantics(TermStore& terms, Compressor* compressor = nullptr);
     ~OperationalSemantics();
     OperationalSemantics(const OperationalSemantics&) = delete;

@@ -29,11 +29,11 @@ struct Job {
 [[nodiscard]] std::optional<std::string> encode(const lts::TransitionSystem& system,
                                                 const refine::LevelQuestion& question, const refine::Limits& limits,
                                                 unsigned threads, std::string_view program);
-/// Returns which program has encoded the search. Other versions of the program may have encoded it. Throws
-/// lts::BadBytes.
+/// Returns the identity of the program that has encoded the search. Another version of the program may have encoded it.
+/// Throws lts::BadBytes.
 [[nodiscard]] std::string sender_of(std::string_view bytes);
 /// Decodes a search. `terms` need not be the sender's store of terms, but must outlive the result. Throws lts::BadBytes
-/// if another version has encoded the bytes.
+/// if this version has not encoded the bytes.
 [[nodiscard]] Job decode(std::string_view bytes, process::TermStore& terms);
 
 }  // namespace robochart::ranks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the whole check: emits the script of the model, generates code, compiles it to a shared object, and compares the
-// two (docs/conformance.md).
+// Runs the whole check: emits the script of the model, generates code, compiles it to a shared object, and compares it
+// with the script (docs/conformance.md).
 #include "conformance/check/conform.hpp"
 
 #include <fmt/format.h>

@@ -216,8 +216,8 @@ std::string_view meaning_of(const Aside& aside) {
 }
 
 /// Checks schedulability. The first search checks whether M can be run in cycles, and also whether each cycle makes an
-/// output only once and no deadline is missed. It ends at the first violation. If this is not a violation of the first
-/// question, the next search checks the rest.
+/// output only once and no deadline is missed. It ends at the first violation. If this violation concerns only an
+/// output or a deadline, the next search checks the rest.
 Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                             const refine::Limits& limits) {
     Result result;
@@ -332,9 +332,9 @@ Result judged_on_demand(ModelGraph& graph, const Alphabet& alphabet, const rc_in
 
 namespace {
 
-/// Checks RoboSim code; its specification is the component itself. If the component cannot end a cycle, it
-/// may stop time. The code reports this as a missed deadline. Neither of them writes an output twice in a
-/// cycle.
+/// Checks RoboSim code; its specification is the component itself. If the component cannot end a cycle, it may stop
+/// time. The code reports this as a missed deadline. The code writes no output twice in a cycle, because the component
+/// cannot.
 Result judge_registers(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                        std::uint32_t cycle_length, const refine::Limits& limits, Relation relation,
                        const EventPlaces& places) {

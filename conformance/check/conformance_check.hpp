@@ -25,7 +25,7 @@ namespace robochart::conformance {
 /// Returns true if the inputs have so many valuations that reading on demand is faster than trying all of them.
 [[nodiscard]] bool many_valuations(const Interface&);
 
-/// Completes a result for a model that cannot be run in cycles: `found` shows this. `model` is the graph of M.
+/// Completes a result with a run of NF_c(M), `found`: M cannot be run in cycles. `model` is the graph of M.
 void report_not_schedulable(Result&, const refine::Counterexample& found, ModelGraph& model, const Alphabet&,
                             std::uint32_t cycle_length, const refine::Limits&);
 /// Describes why an additional property fails. The last event of the run of NF_c(M) only marks the violation.

@@ -46,7 +46,7 @@ public:
         for (const Output& output : interface.outputs) outputs_.push_back(find_output(output.name));
     }
 
-    /// Returns true if the claim can contain the input.
+    /// Returns true if the claim can refer to the input.
     [[nodiscard]] bool knows(std::uint32_t input) const { return inputs_[input].has_value(); }
     [[nodiscard]] std::optional<Occurrence> raised(std::uint32_t input, std::uint32_t reading) const {
         if (!inputs_[input]) return std::nullopt;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides claims about control cycles (docs/claims.md, "Claims about one cycle") for the model run in cycles,
-// NF_c(M), and for the code, L(G). A monitor of the claim follows the runs of both. A claim about cycles is a safety
-// property: if it fails, a finite run shows this. So a breadth-first search of the product with the monitor finds
-// every failure.
+// NF_c(M), and for the code, L(G). A monitor of the claim follows all runs of both. A claim about cycles is a safety
+// property: if it fails, a finite run shows this. So a breadth-first search of the product with the monitor decides
+// the claim.
 #pragma once
 
 #include <map>

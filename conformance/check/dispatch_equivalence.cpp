@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See dispatch_equivalence.hpp. Other events are raised at the same time, because dispatch must ignore
+// See dispatch_equivalence.hpp. Raises other events together with the dispatched event, to check that dispatch ignores
 // them.
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/standstill.hpp"
@@ -116,7 +116,7 @@ private:
         return check_promise(dropped, again_, "an event before it in this cycle drops it");
     }
 
-    /// Compares for each value of each other register. Dispatch must not read these registers.
+    /// Compares the APIs for each value of each other register, because dispatch must not read these registers.
     bool ignores_other_values(std::uint32_t reading) {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         for (std::size_t other = 0; other < inputs.size(); ++other) {
@@ -146,7 +146,7 @@ private:
         return compare_answers();
     }
 
-    /// Compares for every answer to the choices that the model leaves open.
+    /// Compares the APIs for every answer to the choices that the model leaves open.
     bool compare_answers() {
         cycle_.log.given = 0;
         do {

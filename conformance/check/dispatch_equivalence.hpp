@@ -9,9 +9,9 @@
 
 namespace robochart::conformance {
 
-/// Compares both APIs in every state from which `system` has run a cycle. Tries each event with each of its values, and
-/// no event. If the code asks for a choice, tries all answers. The first difference is stored in the result unless it
-/// already has one: the cycles that lead to it, and what each API does. Does nothing if the component receives no
+/// Compares both APIs in every state in which `system` has begun a cycle. Tries each event with each of its values, and
+/// no event. If the code asks for a choice, tries all answers. If the result contains no difference yet, stores the
+/// first one in it: the cycles that lead to it, and what each API does. Does nothing if the component receives no
 /// event.
 void compare_event_api(Result&, const rc_interface&, const ExploredCode& system, const Alphabet&,
                        const refine::Limits&);

@@ -65,8 +65,8 @@ Mismatch Follower::make_mismatch(Node node, std::string reason) {
     return {Outcome::differs, std::move(reason), describe_allowed(node), nullptr};
 }
 
-/// Returns true if the node allows a state that offers nothing or only `but`, or that is never stable. The minimal
-/// acceptances of the node show this.
+/// Returns true if some stable state of the node offers nothing, or only `but`. The minimal acceptances of the node
+/// decide this.
 bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     const auto& acceptances = form_.acceptances(node);
     const auto fits = [&](const process::EventSet& acceptance) {
@@ -96,8 +96,8 @@ bool Follower::is_unknown(Node node) const {
            });
 }
 
-/// Ends the check when the model turns out not to run in cycles. After that point, the code can make no
-/// error.
+/// Ends the check when there is a sign that the model cannot be run in cycles. What the code does after that is not an
+/// error of the code.
 std::optional<Mismatch> Follower::model_stops(Node node) {
     if (is_unknown(node)) return Mismatch{Outcome::inconclusive, "the steps of the model are unknown", "", nullptr};
     if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_steps};
@@ -110,7 +110,7 @@ std::optional<Mismatch> Follower::model_stops(Node node) {
     return std::nullopt;
 }
 
-/// Returns true if the outputs before time passes may never end.
+/// Returns true if an infinite sequence of outputs is possible before time passes.
 bool Follower::has_endless_run(Node from) {
     std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
     struct Place {

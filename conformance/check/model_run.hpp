@@ -26,8 +26,8 @@ struct ModelWords {
     const diagnostics::SourceManager& sources;
 };
 
-/// Returns the limits of the search for one explanation: fewer states than in a check, and at most 10
-/// s.
+/// Returns the limits of the search for one explanation. They are lower than those of a check: fewer states, and at
+/// most 10 seconds.
 [[nodiscard]] refine::Limits limits_of_explanation(refine::Limits limits);
 
 /// Searches the normal form with this frame for the same run of NF_c(M). If the kind of the run is `no_trace`, only the
@@ -46,8 +46,8 @@ struct ModelWords {
                                                                  const refine::Counterexample& found,
                                                                  const refine::Limits& limits);
 
-/// Describes the run of M with the names and places of the model, like a counterexample to a timed claim of this
-/// kind.
+/// Describes the run of M with the names and places of the model, as a counterexample to a timed claim of kind `kind`
+/// is described.
 [[nodiscard]] runs::Run interpret_run(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
                                       const ModelWords& words);
 

@@ -31,7 +31,7 @@ bool is_keyword(const std::string& name) {
     return std::ranges::find(python_keywords, name) != python_keywords.end();
 }
 
-/// Returns a name for Python that is not in `taken`. Adds underscores if the name is a keyword.
+/// Returns the name for Python. Adds underscores to a keyword until the name is not in `taken`.
 std::string python_name(std::string name, const std::set<std::string>& taken) {
     if (!is_keyword(name)) return name;
     do name += '_';

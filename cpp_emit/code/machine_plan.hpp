@@ -39,8 +39,8 @@ public:
     [[nodiscard]] bool straight_exits(ir::NodeId id) const { return straight_exits_[id.index]; }
     /// Returns whether some inner state of the composite state has an exit action.
     [[nodiscard]] bool exits_below(ir::NodeId) const;
-    /// Returns true if the node is an initial node with a single transition without trigger and guard. The code then
-    /// takes the transition together with the entry.
+    /// Returns true if the node is an initial node with a single transition that has no trigger, no guard and no reset
+    /// of a clock. The code then takes the transition together with the entry.
     [[nodiscard]] bool is_passed_through(ir::NodeId) const;
 
     /// For RoboSim: returns true if transitions from junctions may have to wait, because a during action may have ended
@@ -55,12 +55,12 @@ public:
         return node(id).kind == ir::NodeKind::final ||
                (node(id).kind == ir::NodeKind::state && !node(id).is_composite());
     }
-    /// Returns true if an exit action may wait. Then the transitions of the state share one place for its exits.
+    /// Returns true if several transitions share one place for the state's exits, because an exit action may wait.
     [[nodiscard]] bool shared_exit(ir::NodeId) const;
     /// Returns true if Frame::leaving must store which transition of the state continues after the exits.
     [[nodiscard]] bool notes_leaving(ir::NodeId id) const { return shared_exit(id) && !straight_exits(id); }
-    /// Returns true if the transition has an exit action, or an action after its trigger that may wait. Such an action
-    /// runs at take_label.
+    /// Returns true if the transition's action may wait, or an exit action of its source that has no shared place
+    /// (shared_exit). The code then runs these actions at take_label.
     [[nodiscard]] bool acts_after_trigger(const ir::Transition&) const;
     /// Returns true if entering the state does something: it starts a during action, a clock of sinceEntry, or a
     /// deadline.

@@ -34,7 +34,7 @@ std::vector<const ir::Expr*> evaluated_first(const ir::Stmt& stmt) {
 
 namespace {
 
-/// Returns true if the statement blocks forever when it calls a function outside its precondition.
+/// Returns true if the statement may call a function outside its precondition, which blocks the thread forever.
 bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto expressions = evaluated_first(stmt);
     return std::ranges::any_of(expressions, [&](const ir::Expr* expr) {
@@ -90,7 +90,7 @@ bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& 
     return suspends_itself(generation, unit, stmt);
 }
 
-/// Returns true if an operation may rest in a state: none of the transitions of this state is always
+/// Returns true if an operation may rest in a state. This is possible if none of the state's transitions is always
 /// enabled.
 bool may_rest(const ir::Machine& operation) {
     const auto leaves = [&](const ir::TransitionId id) {

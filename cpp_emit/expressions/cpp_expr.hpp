@@ -10,8 +10,8 @@ namespace robochart::cpp_emit {
 /// operator and no assignment.
 enum class Binding { conditional, disjunction, conjunction, equality, order, sum, product, prefix, primary };
 
-/// A C++ expression. Readers of its text must give a precedence, so no necessary parentheses can be
-/// forgotten.
+/// A C++ expression. Its text can be read only for a given precedence, so parentheses are added wherever they are
+/// necessary.
 class CppExpr {
 public:
     /// Makes an empty condition, which is always true.

@@ -197,8 +197,8 @@ struct Emission {
 /// Options for the form of the script and for additional assertions.
 struct Options {
     bool core_properties = false;  ///< add core properties of each component (core_properties.hpp)
-    /// Above this number of states, estimated from the sizes of its carriers, a machine keeps its largest variables in
-    /// separate memory processes.
+    /// A machine that may have more states than this, estimated from the sizes of its carriers, keeps its largest
+    /// variables in separate memory processes.
     double states_of_a_process = 50'000;
     /// If true, each state of the process determines the values of all variables of a machine. So every definition
     /// has all variables as parameters, even those that are no longer read, and no variable is in a memory process.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses the names in the script. Elements of the model have RoboTool's names (semantics 3.2, 3.12). Generated names
 // (parameters, program points) differ from all channels, constructors and functions. Otherwise CSPM would read a
-// parameter with such a name as a pattern.
+// parameter with such a name as a constructor pattern.
 #pragma once
 
 #include <map>

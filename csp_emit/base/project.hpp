@@ -33,8 +33,8 @@ struct Project {
     [[nodiscard]] bool instantiations_replaced() const;
     /// Reports RC-C01 and names the unsupported construct.
     void report_unsupported(const std::string& construct, diagnostics::Span span) const;
-    /// Returns how often the CSP blocks that apply mention the name, qualified or plain. If it is qualified, its last
-    /// part after `::` counts, too.
+    /// Returns how often the applicable CSP blocks mention the name as a whole: alone, or as a part of a longer
+    /// qualified name such as `NAME::x` or `x::NAME`.
     [[nodiscard]] std::size_t count_in_blocks(const std::string& name) const;
     /// True if the applicable CSP blocks mention the name.
     [[nodiscard]] bool blocks_mention(const std::string& name) const;

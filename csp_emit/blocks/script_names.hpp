@@ -26,8 +26,8 @@ public:
     [[nodiscard]] const std::vector<ScriptName>& all() const { return names_; }
     /// Returns the names that can follow `QUALIFIER::`, in the order of the script.
     [[nodiscard]] std::vector<const ScriptName*> names_after(std::string_view qualifier) const;
-    /// Suggests names for one that a block uses and that is not in scope: the same name in a component, or similar
-    /// ones. Returns at most three names, the best one first.
+    /// Returns suggestions for a name that a block uses and that is not in scope: the same name in a component, or
+    /// similar names. Returns at most three names, the best one first.
     [[nodiscard]] std::vector<std::string> suggest_names(std::string_view written) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Emits what controllers and modules have in common: parts in parallel, synchronisation on connected events, and copies
-// of writes to shared variables (semantics 3.7, 3.9).
+// Emits what controllers and modules have in common: parts in parallel, synchronisation on connected events, and
+// propagation of writes to shared variables (semantics 3.7, 3.9).
 #pragma once
 
 #include <map>

@@ -13,8 +13,8 @@ namespace robochart::csp_emit {
 /// functions for each field f: `P_T_f(x)` returns the field, and `update_P_T_f(x,v)` returns the record with v as this
 /// field.
 [[nodiscard]] std::vector<cspm::DeclPtr> record_definitions(const Project&, const std::set<std::string>& declared);
-/// Returns the definitions for which a CSP block named Instantiations has its own: carriers, constants, functions and
-/// clipped arithmetic.
+/// Returns the definitions that a CSP block named Instantiations replaces: carriers, constants, functions and clipped
+/// arithmetic.
 [[nodiscard]] std::vector<cspm::DeclPtr> instantiation_definitions(const Project&);
 /// Returns the name of the machine's own constant, `const_P_S_c`. Returns the name of the part's constant if the
 /// instantiation gives the part another value.

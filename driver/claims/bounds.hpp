@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds which bounds of the finite instantiation runs reach. At a bound, a value is clipped or chosen, or it is not a
-// value of its type.
+// Finds the bounds of the finite instantiation that runs reach. At such a bound, a value is clipped, a value is chosen,
+// or a value does not belong to its type.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors a claim along a run: a log, or the run of a robot in a simulation. An input occurs when it is raised, and
-// all inputs of one cycle occur at the same time (docs/claims.md, "Claims about one cycle"). Therefore the monitor
+// Monitors a claim along a run: a log, or the run of a robot in a simulation. For the claim, an input occurs when it is
+// raised, and all inputs of one cycle are simultaneous (docs/claims.md, "Claims about one cycle"). So the monitor
 // collects inputs until an output or a time unit follows. It ignores inputs that a declared order drops.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Formats RoboChart models and assertion files in the standard layout (docs/format.md). Changes only blanks and line
-// ends. Does not change tokens, comments, CSP blocks, and parts for other tools.
+// ends. Does not change tokens, comments, CSP blocks or parts for other tools.
 #pragma once
 
 #include <optional>

@@ -68,7 +68,7 @@ private:
         std::optional<double> least;
     };
     enum class KeyKind { boolean, enumeration, number };
-    /// What the search assigns a value to: a boolean term, an enumeration term, or a linear form without its
+    /// Something to which the search assigns a value: a boolean term, an enumeration term, or a linear form without its
     /// constant.
     struct Key {
         KeyKind kind = KeyKind::boolean;

@@ -13,7 +13,7 @@
 namespace robochart::frontend {
 
 /// The members that are visible in a context. A context's own members come before those of interfaces. If two
-/// declarations have one name, the first hides the second.
+/// declarations have the same name, the first hides the second.
 struct Scope {
     std::map<std::string_view, const Variable*> variables;  ///< constants and parameters too
     std::map<std::string_view, const Event*> events;

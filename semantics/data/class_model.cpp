@@ -83,13 +83,13 @@ public:
             terms_[places_.class_of(holder_of(relation))] = relation.text;
     }
 
-    /// Returns the first related group for whose holder no classes were found.
+    /// Returns the first group of related variables whose holder has no classes.
     [[nodiscard]] std::optional<GroupId> relation_without_classes() const {
         for (const Relation& relation : related_.relations)
             if (!classes_.contains(places_.class_of(holder_of(relation)))) return relation.group;
         return std::nullopt;
     }
-    /// Returns conditions on values without classes. Omits those whose values another use requires themselves.
+    /// Returns the conditions on values without classes, unless another use requires the values themselves.
     [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
         std::set<const Expr*> result;
         for (const auto& [flow, uses] : uses_) {

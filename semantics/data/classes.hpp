@@ -29,8 +29,8 @@ struct ValueClasses {
 [[nodiscard]] bool is_replaceable(const System& system, TypeId type);
 
 /// Finds a value for each possible combination of answers of conditions on one place. The type must not contain
-/// sequences. Uses linear regions (linear.hpp) or, if the conditions are not linear, the solver (solver.hpp). Returns
-/// no value if both fail.
+/// sequences. Uses linear regions (linear.hpp) or, if this fails, the solver (solver.hpp). Returns no value if both
+/// fail.
 [[nodiscard]] std::optional<std::vector<Value>> values_for_answers(const System& system, const Sampling& sampling,
                                                                    TypeId type,
                                                                    const std::vector<Condition>& conditions);

@@ -173,8 +173,8 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
     return places.size() == 1 && !clock && can_divide(system_, sampling_, id_, type, *inline_calls(system_, root));
 }
 
-/// Returns true if a variable can replace the condition. A received value is stored before the action of the
-/// transition, and so before its answer is chosen. But exit and during actions may run before it is stored.
+/// Returns true if a variable can replace the condition. A received value is stored before the transition's action, and
+/// so before the choice of the answer. Exit and during actions may run in between.
 bool MachineConditions::can_be_freed(const Expr& root) const {
     bool result = true;
     visit_operands(root, [&](const Expr& expr) {

@@ -7,8 +7,8 @@
 // alternatives. So the system behaves as if the choices were resolved in one particular way, and all operators except
 // prioritisation are monotone with respect to refinement. For prioritisation: the choices are internal steps, which
 // happen before time passes. When they are resolved, the state has the same branches as the corresponding state of the
-// original system. Sources: may branches (Larsen and Thomsen, A modal process logic, 1988) and predicate abstraction
-// (Graf and Saidi, CAV 1997). See docs/data.md, "Computed data".
+// original system. This is the internal form of may branches (Larsen and Thomsen, A modal process logic, 1988) and of
+// predicate abstraction (Graf and Saidi, CAV 1997). See docs/data.md, "Computed data".
 #pragma once
 
 #include <cstddef>

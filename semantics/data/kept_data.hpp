@@ -45,7 +45,7 @@ struct Keep {
     diagnostics::Span span;  ///< unknown if the reason has no place
 };
 
-/// A flow class with its own carrier, and the reason.
+/// A flow class that keeps its carrier, and the reason.
 struct KeptData {
     std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
     Keep keep;

@@ -211,7 +211,7 @@ std::vector<int> LinearConditions::signs(const Point& point) const {
     return result;
 }
 
-/// Returns the points at which hyperplanes intersect, taking as many of them as there are components.
+/// Returns the points at which n of the hyperplanes intersect, where n is the number of components.
 std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<LinearForm>& forms) const {
     const std::size_t n = components_.size();
     if (too_many_choices(forms.size(), n)) return std::nullopt;

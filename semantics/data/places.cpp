@@ -103,9 +103,9 @@ void Places::unite(PlaceId a, PlaceId b) {
 }
 
 /// Unites the flow classes of variables with the same name if they are shared, or if an operation requires a variable
-/// with this name. Does the same for parameters of operations, and for events of operations and of their callers.
-/// This may unite places between which no value is copied. That is sound: a larger flow class only has more
-/// conditions.
+/// with this name. Also unites parameters of operations with the same name, and events with the same name in operations
+/// and their callers. This may unite places between which no value is copied. It is sound, because a larger flow class
+/// only has more conditions.
 void Places::unite_shared_names(const System& system) {
     std::map<std::pair<std::string, std::size_t>, PlaceId> first;
     const auto unite_name = [&](const std::string& key, std::size_t position, PlaceId place) {

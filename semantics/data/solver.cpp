@@ -262,8 +262,8 @@ public:
 private:
     using Answers = std::vector<int>;
 
-    /// Makes a solver for the logic of the conditions. For polynomials over the reals, the logic QF_NRA is decided
-    /// completely (Jovanović and de Moura, Solving non-linear arithmetic, IJCAR 2012).
+    /// Makes a solver for the logic of the conditions. Z3 decides polynomials over the reals completely in the logic
+    /// QF_NRA (Jovanović and de Moura, Solving non-linear arithmetic, IJCAR 2012).
     [[nodiscard]] z3::solver make_solver() {
         const bool reals = std::ranges::all_of(formulas_.parts(), [](const NumberPart& part) {
             return part.kind == TypeKind::real || part.kind == TypeKind::boolean;

@@ -146,8 +146,8 @@ bool Explorer::find_flows() {
     return true;
 }
 
-/// Returns true if carriers do not change what the machines compute. Constants and initial values are not considered,
-/// because they are computed before code is generated.
+/// Returns true if the machines compute the same results with and without carriers. Checks constants and initial values
+/// in the model itself, because they are computed before code is generated.
 bool Explorer::machines_are_free(const System& rewritten) const {
     return std::ranges::all_of(machines_, [&](MachineId id) {
         bool result = sampling_.has_finite_constants(id);
@@ -403,7 +403,7 @@ void Explorer::add_window(MachineId machine, ModelComparison& comparison) const 
     }
 }
 
-/// Adds the comparisons in a condition whose answer is known for each value. Sequences need no answers.
+/// Adds those comparisons in a condition that have an answer for each value. Sequences need no answers.
 void Explorer::add_comparisons(const Condition& condition, TypeId type, const std::vector<Value>& values,
                                ValueModel& result) const {
     visit_operands(*condition.expr, [&](const Expr& expr) {

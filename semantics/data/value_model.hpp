@@ -62,10 +62,10 @@ struct ValueModel {
 };
 
 /// Returns the value model of these machines. The conditions of the model and `cuts` divide values into regions.
-/// Returns no value if the machines compute numbers or durations, compare values with each other, or contain data that
-/// are neither numbers nor have finitely many values (for example, sequences of records). Also returns no value without
-/// any numbers, if a condition contains a remainder, or if there are too many regions. `instantiation` is that of the
-/// model, with its carriers.
+/// Returns no value if the machines compute numbers or durations, compare values with each other, or contain other data
+/// with numbers or without a finite set of values (for example, sequences of records). Also returns no value if there
+/// are no numbers, if a condition contains a remainder, or if there are too many regions. `instantiation` is that of
+/// the model, with its own carriers.
 [[nodiscard]] std::optional<ValueModel> value_model(const System& system, const Instantiation& instantiation,
                                                     const std::vector<MachineId>& machines,
                                                     const std::vector<Cut>& cuts);

@@ -65,8 +65,8 @@ private:
     Value converted_set(const Expr& expr, const Value& value, const Type& source, const Type& target);
     std::vector<TypeId> pair_types(const Type& type);
     Value evaluate_access(const Expr& expr);
-    /// Returns the body for each combination of bound values that satisfies the predicate, in order. Without a body,
-    /// returns the combinations themselves.
+    /// Returns the value of the body for each combination of bound values that satisfies the predicate, in order.
+    /// Without a body, returns the combinations themselves.
     std::vector<Value> where_satisfied(const Expr& expr);
     static Value only_candidate(const Expr& expr, const std::vector<Value>& candidates);
     static std::size_t true_ones(const std::vector<Value>& values);

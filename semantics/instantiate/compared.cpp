@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extends carriers beyond the numbers in comparisons. Otherwise a comparison such as `n > limit` would never be true if
-// the carrier ends at the limit.
+// Extends carriers beyond the numbers in comparisons. A comparison such as `n > limit` would never be true if the
+// carrier ended at the limit.
 #include "semantics/instantiate/compared.hpp"
 
 #include <algorithm>

@@ -47,11 +47,11 @@ Section Check.
     destruct (eqi (numbered_state H (state_number H u)) u) eqn:E; [| discriminate]. apply eqi_ok in E.
     inversion K. subst. split; assumption.
   Qed.
-  Lemma nearer_sound : forall d moves found, nearer d moves found = true ->
-    (forall a u, In (a, u) moves -> exists k, has_number k u) /\
-    (found = true \/ exists a u k, In (a, u) moves /\ has_number k u /\ (In a goal \/ (distance H k <? d) = true)).
+  Lemma nearer_sound : forall d steps found, nearer d steps found = true ->
+    (forall a u, In (a, u) steps -> exists k, has_number k u) /\
+    (found = true \/ exists a u k, In (a, u) steps /\ has_number k u /\ (In a goal \/ (distance H k <? d) = true)).
   Proof.
-    induction moves as [| [b w] moves IH]; intros found K; cbn in K; [ split; [ intros a u [] | left; exact K ] |].
+    intros d steps. induction steps as [| [b w] steps IH]; intros found K; cbn in K; [ split; [ intros a u [] | left; exact K ] |].
     destruct (known_number w) as [k |] eqn:N; [| discriminate]. apply known_number_sound in N. apply IH in K.
     destruct K as [K1 K2]. split.
     - intros a u [E | I']; [ inversion E; subst; eauto | exact (K1 a u I') ].

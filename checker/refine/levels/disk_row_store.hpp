@@ -34,8 +34,8 @@ public:
     struct Bounds {
         std::uint64_t most_bytes = 0;  ///< limit on the total memory, without the blocks of runs in a merge
         unsigned filter_bits = 32;     ///< maximal number of bits for each row
-        /// How many rows the store can read from files while the search handles one row. If this is 0, the store
-        /// settles rows only when it cannot avoid it.
+        /// An estimate of how many rows the store can read from files while the search handles one row. If this is 0,
+        /// the store settles rows only when it cannot avoid it.
         unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< receives the statistics at the end; may be empty
     };
