@@ -20,7 +20,7 @@ Ran run_with_answer(const std::string& answer, const std::string& commands) {
     return run_shell("mkdir bin\nprintf '#!/bin/sh\\n[ \"$1\" = --answer ] && [ -f \"$2/claim.txt\" ] && echo \"" +
                      answer +
                      "\"\\n' > bin/robochart-certify\nchmod +x bin/robochart-certify\nexport PATH=\"$PWD/bin:$PATH\"\n"
-                     "printf 'channel a\\nP = a -> P\\nassert P [FD= P\\nassert P :[deterministic]\\n' > s.csp\n" +
+                     "printf 'channel a\\nP = a -> P\\nassert P [FD= P\\nassert P :[has trace]: <a>\\n' > s.csp\n" +
                      commands);
 }
 
@@ -29,7 +29,7 @@ TEST(Certify, ReportsSayCertifiedOnlyWithTheLevel) {
     EXPECT_EQ(ran.exit, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("holds (certified: term level, unreduced, 1,739 pairs, 6 components); certificate "
                                    "certs/1-P-FD-P\n"));
-    EXPECT_THAT(ran.out, HasSubstr("no certificate: there are no certificates for this kind of assertion"));
+    EXPECT_THAT(ran.out, HasSubstr("no certificate: there are no certificates for `has trace` in the models F and FD"));
     EXPECT_THAT(ran.out, Not(HasSubstr("proved")));
 }
 
@@ -37,7 +37,7 @@ TEST(Certify, ReportsSayHowTheSearchWasReduced) {
     const Ran ran =
         run_with_answer("certified 8191 12 confluent taus", "\"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_THAT(ran.out,
-                HasSubstr("holds (certified: product level, 8,191 pairs, reduced by confluent taus, 12 components); "
+                HasSubstr("holds (certified: term level, 8,191 pairs, reduced by confluent taus, 12 components); "
                           "certificate certs/1-P-FD-P\n"));
     const Ran json = run_with_answer("certified 8191 12 confluent taus",
                                      "\"$verify\" cspm s.csp --no-cache --certify certs --format json");

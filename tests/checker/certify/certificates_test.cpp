@@ -168,16 +168,36 @@ TEST(Certificates, AreAtTheProductLevelIfATermCannotBeWritten) {
 }
 
 TEST(Certificates, AreNotMadeForOtherKindsOfAssertions) {
-    Opened script(two_cells);
-    EXPECT_EQ(script.certificate(2).reason,
-              "it rests on an assertion that fails, and certificates say that assertions hold");
-    EXPECT_EQ(script.certificate(3).reason, "there are no certificates for this kind of assertion");
-    Opened timed(
-        "channel a, tock\nTimed(\\ _ @ 1) {\nP = a -> P\nassert P :[divergence free]\n}\n"
-        "Q = a -> Q\nassert Q :[deadlock free] :[tau priority]: {tock}\n");
-    EXPECT_EQ(timed.certificate(0).reason,
-              "there are no certificates for assertions inside modules and timed sections");
-    EXPECT_EQ(timed.certificate(1).reason, "there are no certificates for `tau priority`");
+    Opened script(
+        "channel a\nP = a -> P\nassert not P :[divergence free [FD]]\nassert P :[has trace [F]]: <a>\n"
+        "assert P [V= P\n");
+    EXPECT_EQ(script.certificate(0).reason, "it rests on an assertion about one process that fails");
+    EXPECT_EQ(script.certificate(1).reason, "there are no certificates for `has trace` in the models F and FD");
+    EXPECT_EQ(script.certificate(2).reason, "there are no certificates for this model");
+}
+
+/// Determinism, traces, refinements that fail, timed sections and tau priority. The second assertion of each pair is
+/// false: CHOICE may refuse `b` after <>, although <b> is a trace; it has no trace <c>; and CHOICE refines RUN({a, b}) in
+/// T. LATE can perform `tock` in place of its tau, unless tau has priority.
+TEST(Certificates, OfFurtherClaimsAreAcceptedIfTheyAreTrue) {
+    Opened script(
+        "channel a, b, c, tock\nP = a -> b -> P\nCHOICE = a -> CHOICE |~| b -> CHOICE\n"
+        "LATE = (c -> STOP [] tock -> LATE) \\ {c}\n"
+        "assert P :[deterministic [FD]]\nassert CHOICE :[deterministic [F]]\n"
+        "assert CHOICE :[has trace [T]]: <a, b, b>\nassert CHOICE :[has trace [T]]: <a, c>\n"
+        "assert not P [T= CHOICE\nassert not RUN({a, b}) [T= CHOICE\n"
+        "assert not RUN({a, b}) [F= CHOICE\nassert not CHOICE [FD= P\n"
+        "assert STOP [T= LATE :[tau priority]: {tock}\nassert STOP [T= LATE\n"
+        "Timed(\\ _ @ 1) {\nQ = a -> Q\nassert Q :[divergence free]\nassert STOP [T= Q\n}\n");
+    const tests::TemporaryFolder folder;
+    for (std::size_t i = 0; i < 12; ++i) {
+        const CertificateResult result = script.certificate(i);
+        ASSERT_TRUE(result.certificate) << i << result.reason;
+        ASSERT_EQ(write_certificate(folder.path(), fmt::format("{:02}", i), *result.certificate, nullptr), "");
+    }
+    const Ran ran = certify(folder.path());
+    for (std::size_t i = 0; i < 12; ++i)
+        EXPECT_EQ(answers_in(ran.out).at(fmt::format("{:02}", i)), i % 2 == 0) << i << ran.out;
 }
 
 TEST(Certificates, HaveTextsWithoutControlCharacters) {
@@ -334,10 +354,10 @@ TEST(Certificates, AreCheckedWithFewerPairsIfTausAreConfluent) {
         << ran.out;
     // The values move to the end of the chain, so the number of values determines a state.
     // There are seven such states in place of 64.
-    EXPECT_NE(ran.out.find("/0: test: product level, 7 pairs, reduced by confluent taus, 6 components\n"),
+    EXPECT_NE(ran.out.find("/0: test: term level, 7 pairs, reduced by confluent taus, 6 components\n"),
               std::string::npos)
         << ran.out;
-    EXPECT_NE(ran.out.find("/2: test: product level, 1 pair, reduced by confluent taus, 6 components\n"),
+    EXPECT_NE(ran.out.find("/2: test: term level, 1 pair, reduced by confluent taus, 6 components\n"),
               std::string::npos)
         << ran.out;
 }
