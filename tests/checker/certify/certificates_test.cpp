@@ -182,7 +182,7 @@ TEST(Certificates, AreNotMadeForOtherKindsOfAssertions) {
 TEST(Certificates, OfFurtherClaimsAreAcceptedIfTheyAreTrue) {
     Opened script(
         "channel a, b, c, tock\nP = a -> b -> P\nCHOICE = a -> CHOICE |~| b -> CHOICE\n"
-        "LATE = (c -> STOP [] tock -> LATE) \\ {c}\n"
+        "VISIBLE = c -> STOP [] tock -> VISIBLE\nLATE = VISIBLE \\ {c}\n"
         "assert P :[deterministic [FD]]\nassert CHOICE :[deterministic [F]]\n"
         "assert CHOICE :[has trace [T]]: <a, b, b>\nassert CHOICE :[has trace [T]]: <a, c>\n"
         "assert not P [T= CHOICE\nassert not RUN({a, b}) [T= CHOICE\n"
