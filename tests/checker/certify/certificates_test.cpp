@@ -177,8 +177,8 @@ TEST(Certificates, AreNotMadeForOtherKindsOfAssertions) {
 }
 
 /// Determinism, traces, refinements that fail, timed sections and tau priority. The second assertion of each pair is
-/// false: CHOICE may refuse `b` after <>, although <b> is a trace; it has no trace <c>; and CHOICE refines RUN({a, b}) in
-/// T. LATE can perform `tock` in place of its tau, unless tau has priority.
+/// false: CHOICE may refuse `b` after <>, although <b> is a trace; it has no trace <c>; and CHOICE refines RUN({a, b})
+/// in T. LATE can perform `tock` in place of its tau, unless tau has priority.
 TEST(Certificates, OfFurtherClaimsAreAcceptedIfTheyAreTrue) {
     Opened script(
         "channel a, b, c, tock\nP = a -> b -> P\nCHOICE = a -> CHOICE |~| b -> CHOICE\n"
