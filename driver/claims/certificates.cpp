@@ -112,8 +112,10 @@ void check_certificates(diagnostics::Budget& budget, CertificateReport& report) 
 CertificateReport write_certificates(cspm::Session& session, const CertifiedClaim& claim, const SearchContext& search) {
     CertificateReport report;
     std::vector<certify::Certificate> certificates;
+    // The search may have used up the claim's turn. Only the limits of the run apply here.
+    const SearchContext of_run{search.settings, search.services};
     try {
-        certificates = make_certificates(session, claim, search, report);
+        certificates = make_certificates(session, claim, of_run, report);
     } catch (const cspm::EvaluationError& error) {
         report.reason = error.what();
     } catch (const std::bad_alloc&) {

@@ -425,7 +425,7 @@ TEST(Certificates, OfRandomScriptsAreAcceptedIfAndOnlyIfTheClaimHolds) {
               << " at the product level\n";
     EXPECT_GT(counted[true], 0);
     EXPECT_GT(counted[false], 0);
-    EXPECT_GT(levels[Level::term], levels[Level::product] / 2);
+    EXPECT_GT(levels[Level::term], levels[Level::product] / 3);
 }
 
 }  // namespace
