@@ -164,20 +164,13 @@ Section Refined.
   Variable spec : lts A.
   Variable impl : lts B.
 
-  Lemma reach_then_tau : forall s t u v, reach impl s t u -> step impl u tau v -> reach impl s t v.
-  Proof.
-    induction 1; intros St.
-    - apply (reach_tau impl s v []); [ exact St | constructor ].
-    - apply (reach_tau impl s u); auto.
-    - apply (reach_vis impl s a u); auto.
-  Qed.
   (* A state that does not diverge leads to a state that refuses nothing but itself. Nobody says which. *)
   Lemma settles : forall t s, reach impl (init impl) t s -> ~ diverges impl s -> ~ ~ failures impl t (fun _ => False).
   Proof.
     intros t s R ND N. apply ND. revert s R ND. cofix self. intros s R ND.
     destruct (offers (succ impl s) tau) eqn:O.
     - apply offers_can in O. destruct O as (u & St). apply (diverges_step impl s u St).
-      assert (Ru := reach_then_tau _ _ _ _ R St). apply (self u Ru). intros D. exact (ND (diverges_step impl s u St D)).
+      assert (Ru := reach_app_tau impl _ _ _ _ R St). apply (self u Ru). intros D. exact (ND (diverges_step impl s u St D)).
     - exfalso. apply N. exists s. split; [ exact R |]. destruct (offers (succ impl s) tick) eqn:T.
       + left. split; [ apply offers_can; exact T | auto ].
       + right. rewrite <- !offers_can, O, T. split; [ discriminate | split; [ discriminate | intros a [] ]].

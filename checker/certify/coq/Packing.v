@@ -6,6 +6,13 @@ From Certify Require Import Claims Processes Loops Moves.
 Import ListNotations.
 Open Scope uint63_scope.
 
+(* Refinement is a preorder. *)
+Lemma refines_refl : forall S m (P : lts S), refines m P P.
+Proof. intros S [] P; cbn; auto. Qed.
+Lemma refines_trans : forall S1 S2 S3 m (P : lts S1) (Q : lts S2) (R : lts S3),
+  refines m P Q -> refines m Q R -> refines m P R.
+Proof. intros S1 S2 S3 [] P Q R H K; cbn in *; [ auto | |]; destruct H, K; auto. Qed.
+
 (** Functional bisimulations: A's states are mapped to those of B. *)
 Section Morphism.
   Context {SA SB : Type}.
@@ -118,6 +125,13 @@ Section Morphism.
     - auto.
     - destruct H as [H1 H2]. split; auto.
     - destruct H as [H1 H2]. split; [ auto |]. intros t X K. destruct (H2 t X K) as [K' | K']; [ left | right ]; auto.
+  Qed.
+  Lemma morphism_possible : forall G, stays_possible G B -> stays_possible G A.
+  Proof.
+    intros G K t s R. destruct (morphism_reach _ _ _ R good_init) as [R' Gs].
+    destruct (K t (f s)) as (t2 & w & a & Rw & Ga & C); [ rewrite f_init; exact R' |].
+    destruct (back_reach _ _ _ Rw s eq_refl Gs) as (u & E & Gu & Ru). subst w.
+    exists t2, u, a. split; [ exact Ru | split; [ exact Ga |]]. apply morphism_can; assumption.
   Qed.
 End Morphism.
 

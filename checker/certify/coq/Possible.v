@@ -95,27 +95,6 @@ Section Check.
   Qed.
 End Check.
 
-(** Functional bisimulations preserve the claim. *)
-Section Morphism.
-  Context {SA SB : Type}.
-  Variable A : lts SA.
-  Variable B : lts SB.
-  Variable f : SA -> SB.
-  Variable good : SA -> Prop.
-  Hypothesis good_init : good (init A).
-  Hypothesis good_step : forall s a u, good s -> step A s a u -> good u.
-  Hypothesis f_init : init B = f (init A).
-  Hypothesis f_step : forall s, good s -> forall a w, step B (f s) a w <-> exists u, w = f u /\ step A s a u.
-
-  Lemma morphism_possible : forall G, stays_possible G B -> stays_possible G A.
-  Proof.
-    intros G K t s R. destruct (morphism_reach A B f good good_step f_step _ _ _ R good_init) as [R' Gs].
-    destruct (K t (f s)) as (t2 & w & a & Rw & Ga & C); [ rewrite f_init; exact R' |].
-    destruct (back_reach A B f good good_step f_step _ _ _ Rw s eq_refl Gs) as (u & E & Gu & Ru). subst w.
-    exists t2, u, a. split; [ exact Ru | split; [ exact Ga |]]. apply (morphism_can A B f good f_step); assumption.
-  Qed.
-End Morphism.
-
 Theorem merged_possible : forall M Y, merging_ok M Y = true -> forall G,
   stays_possible G (system_lts (merged M Y)) -> stays_possible G (system_lts Y).
 Proof.

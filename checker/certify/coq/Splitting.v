@@ -699,13 +699,6 @@ Proof.
   apply existsb_exists. exists x. split; [ exact K | apply Nat.eqb_refl ].
 Qed.
 
-(* Refinement is a preorder. *)
-Lemma refines_refl : forall S m (P : lts S), refines m P P.
-Proof. intros S [] P; cbn; auto. Qed.
-Lemma refines_trans : forall S1 S2 S3 m (P : lts S1) (Q : lts S2) (R : lts S3),
-  refines m P Q -> refines m Q R -> refines m P R.
-Proof. intros S1 S2 S3 [] P Q R H K; cbn in *; [ auto | |]; destruct H, K; auto. Qed.
-
 Section Both_ways.
   Variable Z : script.
   Variable X : split.
