@@ -97,6 +97,15 @@ void check_certificate(const std::string& folder, diagnostics::Budget& budget, C
     add_answer(answer, report);
 }
 
+/// Writes a certificate to its folder below `root`, and adds the folder to the report. Returns "" on success, and the
+/// cause of the failure otherwise.
+std::string store(const std::string& root, const std::string& folder, const certify::Certificate& certificate,
+                  diagnostics::Budget& budget, CertificateReport& report) {
+    std::string error = certify::write_certificate(root, folder, certificate, &budget);
+    if (error.empty()) report.folders.push_back((std::filesystem::path(root) / folder).string());
+    return error;
+}
+
 /// Runs robochart-certify on all certificates of the report, until one is not certified.
 void check_certificates(diagnostics::Budget& budget, CertificateReport& report) {
     report.certification = Certification::certified;
@@ -125,9 +134,8 @@ CertificateReport write_certificates(cspm::Session& session, const CertifiedClai
     for (std::size_t i = 0; i < certificates.size(); ++i) {
         const std::string number = certificates.size() == 1 ? claim.number : fmt::format("{}.{}", claim.number, i + 1);
         const std::string folder = certify::folder_name(number, claim.title);
-        const std::string error = certify::write_certificate(root, folder, certificates[i], &search.services.budget());
+        const std::string error = store(root, folder, certificates[i], search.services.budget(), report);
         if (!error.empty()) return {{}, error, true};
-        report.folders.push_back((std::filesystem::path(root) / folder).string());
     }
     if (!report.folders.empty()) check_certificates(search.services.budget(), report);
     return report;
@@ -135,11 +143,10 @@ CertificateReport write_certificates(cspm::Session& session, const CertifiedClai
 
 CertificateReport write_certificate(const std::string& root, const std::string& folder,
                                     const certify::Certificate& certificate, diagnostics::Budget& budget) {
-    const std::string error = certify::write_certificate(root, folder, certificate, &budget);
-    if (!error.empty()) return {{}, error, true};
     CertificateReport report;
     report.level = certify::level_name(certificate.level);
-    report.folders.push_back((std::filesystem::path(root) / folder).string());
+    const std::string error = store(root, folder, certificate, budget, report);
+    if (!error.empty()) return {{}, error, true};
     check_certificates(budget, report);
     return report;
 }
