@@ -70,6 +70,6 @@ Definition deterministic {S} (m : model) (P : lts S) : Prop :=
   (forall t a, traces P (t ++ [a]) -> ~ failures P t (fun b => b = a)) /\
   match m with FD => divergence_free P | _ => True end.
 
-(* Whatever has happened, an event of G can still happen. *)
+(* After each trace, an event of G can still happen. *)
 Definition stays_possible {S} (G : ev -> Prop) (P : lts S) : Prop :=
   forall t s, reach P (init P) t s -> exists t2 u a, reach P s t2 u /\ G a /\ can P u a.
