@@ -62,7 +62,7 @@ struct CertificateResult {
 [[nodiscard]] Certificate refinement_certificate(const ClaimLines& lines, std::string specification,
                                                  std::string implementation);
 
-/// The claim that an event of the goal can still happen, whatever has happened.
+/// The claim that after each trace, an event of the goal can still happen.
 struct StaysPossible {
     cspm::ExprPtr process;
     cspm::ExprPtr goal;  ///< a set of events

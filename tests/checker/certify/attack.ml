@@ -135,9 +135,12 @@ let stable_offer succ s =
 
 let subset a b = List.for_all (fun x -> List.mem x b) a
 
+(* The states that taus lead to, and those that an event leads to. *)
+let close succ l = reachable succ l (fun e -> e = 0)
+let after succ set e = close succ (List.concat_map (fun s -> List.filter_map (fun (e', u) -> if e = e' then Some u else None) (succ s)) set)
+
 let refinement_holds model (spec_start, spec_steps) (impl_start, impl_steps) =
   let ss = memo spec_steps and si = memo impl_steps in
-  let close l = reachable ss l (fun e -> e = 0) in
   let divergent_spec = memo (List.exists (diverges ss)) and divergent_impl = memo (diverges si) in
   let seen = Hashtbl.create 50 in
   let rec check s set =
@@ -154,17 +157,16 @@ let refinement_holds model (spec_start, spec_steps) (impl_start, impl_steps) =
                  (fun (e, u) ->
                    if e = 0 then check u set
                    else
-                     let next = close (List.concat_map (fun v -> List.filter_map (fun (e', w) -> if e = e' then Some w else None) (ss v)) set) in
+                     let next = after ss set e in
                      next <> [] && check u next)
                  (si s)
        end
   in
-  check impl_start (close [ spec_start ])
+  check impl_start (close ss [ spec_start ])
 
 (* No trace t and event e exist such that t followed by e is a trace, and e can be refused after t. *)
 let is_deterministic model (start, steps) =
   let si = memo steps in
-  let close l = reachable si l (fun e -> e = 0) in
   let refuses s e =
     let offered = List.map fst (si s) in
     if List.mem 1 offered then e <> 1 else not (List.mem 0 offered || List.mem e offered) in
@@ -174,12 +176,11 @@ let is_deterministic model (start, steps) =
     || begin
          Hashtbl.add seen set ();
          let events = List.sort_uniq compare (List.filter (fun e -> e <> 0) (List.concat_map (fun s -> List.map fst (si s)) set)) in
-         let after e = close (List.concat_map (fun s -> List.filter_map (fun (e', u) -> if e = e' then Some u else None) (si s)) set) in
          (model <> FD || not (List.exists (diverges si) set))
-         && List.for_all (fun e -> not (List.exists (fun s -> refuses s e) set) && check (after e)) events
+         && List.for_all (fun e -> not (List.exists (fun s -> refuses s e) set) && check (after si set e)) events
        end
   in
-  check (close [ start ])
+  check (close si [ start ])
 
 let stays_possible events (start, steps) =
   let si = memo steps in
@@ -188,9 +189,7 @@ let stays_possible events (start, steps) =
 
 let has_trace events (start, steps) =
   let si = memo steps in
-  let close l = reachable si l (fun e -> e = 0) in
-  let after set e = close (List.concat_map (fun s -> List.filter_map (fun (e', u) -> if e = e' then Some u else None) (si s)) set) in
-  List.fold_left after (close [ start ]) events <> []
+  List.fold_left (after si) (close si [ start ]) events <> []
 
 let property_holds property (impl_start, impl_steps) =
   let si = memo impl_steps in
