@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/cache/sha256.hpp"
 #include "base/diagnostics/files.hpp"
@@ -87,12 +88,21 @@ bool has_term_level(const Assertion& assertion) {
            assertion.kind != AssertionKind::has_trace;
 }
 
+/// A process of an assertion.
+struct Side {
+    process::TermId term;
+    diagnostics::Span span;
+};
+
 /// Returns the text of the term that an expression denotes. An error in a definition that no state reaches, and which
 /// the search has not evaluated, is a reason for the product level.
-TermText text_of_term(cspm::Session& session, const cspm::ExprPtr& expression, const cspm::Decl& assertion,
+TermText text_of_term(cspm::Session& session, const Side& side, const refine::Limits& limits,
                       diagnostics::Pollable& budget) {
+    const auto has_few_states = [&](process::TermId term) {
+        return explored_graph(*session.whole_system(term, side.span, limits), budget).has_value();
+    };
     try {
-        return term_text(session.terms(), session.side(expression, assertion), budget);
+        return term_text(session.terms(), side.term, has_few_states, budget);
     } catch (const cspm::EvaluationError& error) {
         return {std::nullopt, error.what()};
     } catch (const process::SemanticsError& error) {
@@ -100,78 +110,78 @@ TermText text_of_term(cspm::Session& session, const cspm::ExprPtr& expression, c
     }
 }
 
-/// Replaces the compiled processes of a certificate by their terms if all of them can be written.
-void replace_by_terms(cspm::Session& session, const cspm::Decl& claim, diagnostics::Pollable& budget,
-                      Certificate& certificate) {
-    const Assertion& assertion = claim.assertion;
-    const bool refinement = assertion.kind == AssertionKind::refinement;
-    TermText first = text_of_term(session, assertion.specification, claim, budget);
-    TermText second =
-        first.text && refinement ? text_of_term(session, assertion.implementation, claim, budget) : TermText{};
-    certificate.why_product = first.reason + second.reason;
-    if (!certificate.why_product.empty()) return;
+/// Replaces the compiled processes of a certificate by their terms if all of them can be written. There is a second
+/// side if the assertion is a refinement.
+void replace_by_terms(cspm::Session& session, const std::vector<Side>& sides, const refine::Limits& limits,
+                      diagnostics::Pollable& budget, Certificate& certificate) {
+    std::vector<std::string> texts;
+    for (const Side& side : sides) {
+        TermText text = text_of_term(session, side, limits, budget);
+        certificate.why_product = text.reason;
+        if (!text.text) return;
+        texts.push_back(std::move(*text.text));
+    }
     certificate.level = Level::term;
-    if (refinement) certificate.specification = std::move(*first.text);
-    certificate.implementation = std::move(refinement ? *second.text : *first.text);
+    if (sides.size() == 2) certificate.specification = std::move(texts.front());
+    certificate.implementation = std::move(texts.back());
 }
 
-/// Returns the text of a process; no value if it has too many states.
-std::optional<std::string> text_of(lts::TransitionSystem& process, cspm::Session& session, refine::Budget& budget) {
-    process.set_budget(budget);
-    const std::optional<ProcessText> text = process_text(process, session.terms(), budget);
-    process.set_budget(diagnostics::unlimited);
-    return text ? std::optional(text->text) : std::nullopt;
+/// Adds the claim to a certificate that has its other files.
+CertificateResult with_claim(const std::string& words, const std::string& assertion, const std::string& source,
+                             const cspm::Session& session, Certificate certificate) {
+    const std::string digest = diagnostics::sha256(cspm::print(session.script()));
+    certificate.claim = claim_text(words, {assertion, source, digest}, certificate);
+    return {std::move(certificate), ""};
 }
 
 CertificateResult too_large() {
     return none(fmt::format("a process that is not compiled has more than {} states", most_explicit_states));
 }
 
-CertificateResult make_from_sides(const std::string& words, cspm::Session& session, const cspm::Decl& assertion,
+CertificateResult make_from_sides(const std::string& words, cspm::Session& session, const cspm::Decl& declaration,
                                   const std::string& source, const refine::Limits& limits, Level highest) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
-    const auto side_text = [&](const cspm::ExprPtr& expression) {
-        return text_of(*session.whole_side(expression, assertion, limits), session, budget);
-    };
-    const AssertionKind kind = assertion.assertion.kind;
-    const std::optional<std::string> first = side_text(assertion.assertion.specification);
-    if (!first) return too_large();
+    const Assertion& assertion = declaration.assertion;
+    std::vector<cspm::ExprPtr> expressions{assertion.specification};
+    if (assertion.kind == AssertionKind::refinement) expressions.push_back(assertion.implementation);
+    std::vector<Side> sides;
+    std::vector<std::string> texts;
+    for (const cspm::ExprPtr& expression : expressions) {
+        const Side side{session.side(expression, declaration, limits), expression->span};
+        sides.push_back(side);
+        std::optional<std::string> text =
+            process_text(*session.whole_system(side.term, side.span, limits), session.terms(), budget);
+        if (!text) return too_large();
+        texts.push_back(std::move(*text));
+    }
     Certificate result;
     result.level = Level::product;
-    result.implementation = *first;
-    if (kind == AssertionKind::has_trace)
-        result.specification = event_list_text(session.event_table(), session.trace(assertion));
-    if (kind == AssertionKind::refinement) {
-        const std::optional<std::string> second = side_text(assertion.assertion.implementation);
-        if (!second) return too_large();
-        result.specification = *first;
-        result.implementation = *second;
-    }
-    if (!has_term_level(assertion.assertion))
+    if (assertion.kind == AssertionKind::has_trace)
+        result.specification = event_list_text(session.event_table(), session.trace(declaration));
+    if (sides.size() == 2) result.specification = std::move(texts.front());
+    result.implementation = std::move(texts.back());
+    if (!has_term_level(assertion))
         result.why_product = product_claim;
     else if (highest == Level::term)
-        replace_by_terms(session, assertion, budget, result);
-    const std::string digest = diagnostics::sha256(cspm::print(session.script()));
-    result.claim = claim_text(words, {cspm::print(assertion), source, digest}, result);
-    return {std::move(result), ""};
+        replace_by_terms(session, sides, limits, budget, result);
+    return with_claim(words, cspm::print(declaration), source, session, std::move(result));
 }
 
 CertificateResult make_from_goal(cspm::Session& session, const StaysPossible& claim, const std::string& source,
                                  const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
-    const std::optional<std::string> process = text_of(*session.whole_system(claim.process, limits), session, budget);
+    std::optional<std::string> process =
+        process_text(*session.whole_system(claim.process, limits), session.terms(), budget);
     if (!process) return too_large();
     Certificate result;
     result.level = Level::product;
     result.why_product = product_claim;
-    result.implementation = *process;
+    result.implementation = std::move(*process);
     const process::EventSet goal = session.events(claim.goal);
     result.specification = event_list_text(session.event_table(), {goal.begin(), goal.end()});
     const std::string statement =
         fmt::format("an event of {} stays possible in {}", cspm::print(claim.goal), cspm::print(claim.process));
-    const std::string digest = diagnostics::sha256(cspm::print(session.script()));
-    result.claim = claim_text("one of the events stays possible", {statement, source, digest}, result);
-    return {std::move(result), ""};
+    return with_claim("one of the events stays possible", statement, source, session, std::move(result));
 }
 
 }  // namespace

@@ -27,22 +27,19 @@ public:
     Writer(const lts::EventTable& events, EventSet used, diagnostics::Pollable& budget) : budget_(budget) {
         std::ranges::sort(used);
         used.erase(std::unique(used.begin(), used.end()), used.end());
-        result_.text = "robochart-verify process 1\n";
+        text_ = "robochart-verify process 1\n";
         std::string names;
         for (const Event event : used) {
             if (event == process::tau || event == process::tick) continue;
             numbers_.emplace(event, first_number + static_cast<std::uint32_t>(numbers_.size()));
             names += one_line(events.name(event)) + "\n";
         }
-        result_.text += fmt::format("events {}\n{}", numbers_.size(), names);
+        text_ += fmt::format("events {}\n{}", numbers_.size(), names);
     }
 
-    void begin_components(std::size_t count) {
-        result_.components = count;
-        result_.text += fmt::format("components {}\n", count);
-    }
+    void begin_components(std::size_t count) { text_ += fmt::format("components {}\n", count); }
     void begin_component(std::size_t states, std::size_t initial, const std::string& name) {
-        result_.text += fmt::format("component {} {} {}\n", states, initial, one_line(name));
+        text_ += fmt::format("component {} {} {}\n", states, initial, one_line(name));
     }
     /// Adds the transitions of one state, in ascending order and without duplicates.
     void add_row(std::vector<std::pair<Event, std::uint32_t>> row) {
@@ -51,30 +48,29 @@ public:
         std::ranges::sort(row);
         row.erase(std::unique(row.begin(), row.end()), row.end());
         for (const auto& [event, target] : row)
-            fmt::format_to(std::back_inserter(result_.text), "{}{} {}", &event == &row.front().first ? "" : " ", event,
+            fmt::format_to(std::back_inserter(text_), "{}{} {}", &event == &row.front().first ? "" : " ", event,
                            target);
-        result_.text += '\n';
+        text_ += '\n';
     }
     void begin_region(std::size_t participants, std::size_t rules) {
-        result_.rules += rules;
-        result_.text += fmt::format("region {} {}\n", participants, rules);
+        text_ += fmt::format("region {} {}\n", participants, rules);
     }
-    void add_slot(std::size_t slot) { result_.text += fmt::format("slot {}\n", slot); }
+    void add_slot(std::size_t slot) { text_ += fmt::format("slot {}\n", slot); }
     void add_rule(Event event, std::uint32_t level, const std::vector<std::pair<std::uint32_t, Event>>& requirements,
                   const std::vector<machine::Assignment>& assignments) {
         budget_.poll();
-        const auto out = std::back_inserter(result_.text);
+        const auto out = std::back_inserter(text_);
         fmt::format_to(out, "rule {} {} {}", number_of(event), level == machine::no_level ? "-" : std::to_string(level),
                        requirements.size());
         for (const auto& [participant, required] : requirements)
             fmt::format_to(out, " {} {}", participant, number_of(required));
         for (const machine::Assignment& assignment : assignments)
             fmt::format_to(out, " {} {}", assignment.slot, assignment.value);
-        result_.text += '\n';
+        text_ += '\n';
     }
-    [[nodiscard]] ProcessText finish() {
-        result_.text += "end\n";
-        return std::move(result_);
+    [[nodiscard]] std::string finish() {
+        text_ += "end\n";
+        return std::move(text_);
     }
 
 private:
@@ -85,7 +81,7 @@ private:
 
     diagnostics::Pollable& budget_;
     std::map<Event, std::uint32_t> numbers_;
-    ProcessText result_;
+    std::string text_;
 };
 
 void write_region(const machine::Supercombinator& process, std::size_t index, Writer& writer) {
@@ -132,7 +128,7 @@ std::string component_name(const machine::Component& component, std::size_t slot
     return name.empty() || name.size() > longest ? fmt::format("component {}", slot) : name;
 }
 
-ProcessText compiled_text(const machine::SupercombinatorSystem& system, const process::TermStore& terms,
+std::string compiled_text(const machine::SupercombinatorSystem& system, const process::TermStore& terms,
                           diagnostics::Pollable& budget) {
     const machine::Supercombinator& process = system.combined();
     EventSet used;
@@ -145,18 +141,6 @@ ProcessText compiled_text(const machine::SupercombinatorSystem& system, const pr
     }
     write_region(process, process.regions.size() - 1, writer);
     return writer.finish();
-}
-
-/// Thrown to stop an exploration that has found too many states.
-struct TooManyStates {};
-
-lts::Graph explored_graph(lts::TransitionSystem& system, diagnostics::Pollable& budget) {
-    return lts::explore(system,
-                        [&](std::size_t states) {
-                            budget.poll();
-                            if (states > most_explicit_states) throw TooManyStates{};
-                        })
-        .graph;
 }
 
 }  // namespace
@@ -173,7 +157,7 @@ std::string one_line(const std::string& text) {
     return result;
 }
 
-ProcessText graph_text(const lts::Graph& graph, const lts::EventTable& events, diagnostics::Pollable& budget) {
+std::string graph_text(const lts::Graph& graph, const lts::EventTable& events, diagnostics::Pollable& budget) {
     EventSet used;
     machine::add_events(graph, used);
     std::ranges::sort(used);
@@ -198,15 +182,27 @@ std::string event_list_text(const lts::EventTable& table, const std::vector<lts:
     return text + "end\n";
 }
 
-std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
+std::optional<lts::Graph> explored_graph(lts::TransitionSystem& process, diagnostics::Pollable& budget) {
+    struct TooManyStates {};
+    std::optional<lts::Graph> result;
+    process.set_budget(budget);
+    try {
+        result = lts::explore(process, [&](std::size_t states) {
+                     budget.poll();
+                     if (states > most_explicit_states) throw TooManyStates{};
+                 }).graph;
+    } catch (const TooManyStates&) {
+    }
+    process.set_budget(diagnostics::unlimited);
+    return result;
+}
+
+std::optional<std::string> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
                                         diagnostics::Pollable& budget) {
     if (const auto* const compiled = dynamic_cast<const machine::SupercombinatorSystem*>(&process))
         return compiled_text(*compiled, terms, budget);
-    try {
-        return graph_text(explored_graph(process, budget), process.events(), budget);
-    } catch (const TooManyStates&) {
-        return std::nullopt;
-    }
+    const std::optional<lts::Graph> graph = explored_graph(process, budget);
+    return graph ? std::optional(graph_text(*graph, process.events(), budget)) : std::nullopt;
 }
 
 }  // namespace robochart::certify

@@ -14,13 +14,6 @@
 
 namespace robochart::certify {
 
-/// A process as text, with its size.
-struct ProcessText {
-    std::string text;
-    std::size_t components = 0;
-    std::size_t rules = 0;
-};
-
 /// The maximal number of states of a process that is not compiled. Such a process is written as one component, and
 /// cannot be written if it has more states.
 inline constexpr std::size_t most_explicit_states = 200'000;
@@ -31,13 +24,16 @@ inline constexpr std::size_t most_explicit_states = 200'000;
 /// Returns the text of a list of events.
 [[nodiscard]] std::string event_list_text(const lts::EventTable& table, const std::vector<lts::Event>& events);
 
+/// Explores a process. Returns no value if it has more than `most_explicit_states` states. Polls the budget.
+[[nodiscard]] std::optional<lts::Graph> explored_graph(lts::TransitionSystem& process, diagnostics::Pollable& budget);
+
 /// Returns the text of the process. Components are named by their terms. Returns no value for a process that is not
 /// compiled and has too many states. Polls the budget. Throws the exceptions of the process.
-[[nodiscard]] std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
+[[nodiscard]] std::optional<std::string> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
                                                       diagnostics::Pollable& budget);
 
 /// Returns the text of a process that is stored as a graph. It has one component; the states keep their numbers.
-[[nodiscard]] ProcessText graph_text(const lts::Graph& graph, const lts::EventTable& events,
+[[nodiscard]] std::string graph_text(const lts::Graph& graph, const lts::EventTable& events,
                                      diagnostics::Pollable& budget);
 
 }  // namespace robochart::certify

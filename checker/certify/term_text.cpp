@@ -16,10 +16,7 @@
 #include <vector>
 
 #include "checker/certify/process_text.hpp"
-#include "checker/lts/graph.hpp"
-#include "checker/process/operational_semantics.hpp"
 #include "checker/process/priority_order.hpp"
-#include "checker/process/term_system.hpp"
 
 namespace robochart::certify {
 namespace {
@@ -74,7 +71,8 @@ EventSet intersection(const EventSet& left, const EventSet& right) {
 
 class TermWriter {
 public:
-    TermWriter(process::TermStore& terms, diagnostics::Pollable& budget) : terms_(terms), budget_(budget) {
+    TermWriter(process::TermStore& terms, const HasFewStates& has_few_states, diagnostics::Pollable& budget)
+        : terms_(terms), has_few_states_(has_few_states), budget_(budget) {
         (void)events_.number_of(process::tau);   // in every file, tau has the number 0
         (void)events_.number_of(process::tick);  // and tick the number 1
     }
@@ -89,7 +87,10 @@ public:
             add_definition(definitions_.keys()[next]);
         }
         if (has_inner_parallel_)
-            for (const TermId leaf : leaves) require_few_states(leaf);
+            for (const TermId leaf : leaves)
+                if (!has_few_states_(leaf))
+                    throw NotWritten{fmt::format("a component with parallel operators has more than {} states",
+                                                 most_explicit_states)};
         add_renamed_events();
         return "robochart-verify term 1\n" + events_text() + sets_text() + renamings_text() + orders_text() +
                fmt::format("definitions {}\n{}main {}\nend\n", definitions_.keys().size(), definitions_text_, main);
@@ -301,18 +302,6 @@ private:
                            operand(terms_.intern_term(Term{Op::skip, 0, {}, {}})));
     }
 
-    void require_few_states(TermId leaf) {
-        process::OperationalSemantics semantics(terms_);
-        semantics.set_budget(budget_);
-        process::TermSystem system(semantics, leaf);
-        (void)lts::explore(system, [this](std::size_t states) {
-            budget_.poll();
-            if (states > most_explicit_states)
-                throw NotWritten{
-                    fmt::format("a component with parallel operators has more than {} states", most_explicit_states)};
-        });
-    }
-
     /// Numbers the events to which a renaming changes an event with a number.
     void add_renamed_events() {
         std::size_t before = 0;
@@ -369,6 +358,7 @@ private:
     }
 
     process::TermStore& terms_;
+    const HasFewStates& has_few_states_;
     diagnostics::Pollable& budget_;
     Numbering<Event> events_;
     Numbering<EventsInOrOut> sets_;
@@ -383,9 +373,10 @@ private:
 
 }  // namespace
 
-TermText term_text(process::TermStore& terms, process::TermId term, diagnostics::Pollable& budget) {
+TermText term_text(process::TermStore& terms, process::TermId term, const HasFewStates& has_few_states,
+                   diagnostics::Pollable& budget) {
     try {
-        return {TermWriter(terms, budget).write(term), ""};
+        return {TermWriter(terms, has_few_states, budget).write(term), ""};
     } catch (const NotWritten& cause) {
         return {std::nullopt, cause.reason};
     }

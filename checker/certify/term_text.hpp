@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -20,10 +21,14 @@ struct TermText {
 /// A term with more definitions than this is not written.
 inline constexpr std::size_t most_definitions = 500'000;
 
+/// Returns true if a process has at most `most_explicit_states` states (process_text.hpp).
+using HasFewStates = std::function<bool(process::TermId)>;
+
 /// Returns the text of a term. The operators at the top of the term that stay while their operands move are written in
 /// place, so the certifier makes rules of them. All other terms become definitions, which the certifier explores as
-/// components. If a component contains parallel operators and has more than `most_explicit_states` states, there is no
-/// text. Polls the budget, and passes on errors of the evaluation.
-[[nodiscard]] TermText term_text(process::TermStore& terms, process::TermId term, diagnostics::Pollable& budget);
+/// components. If a component contains parallel operators and does not have few states, there is no text. Polls the
+/// budget, and passes on errors of the evaluation and of `has_few_states`.
+[[nodiscard]] TermText term_text(process::TermStore& terms, process::TermId term, const HasFewStates& has_few_states,
+                                 diagnostics::Pollable& budget);
 
 }  // namespace robochart::certify

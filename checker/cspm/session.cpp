@@ -730,17 +730,18 @@ std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr
                                       [&] { return impl_->whole_system(process(expr), expr->span, budget); });
 }
 
-process::TermId Session::side(const ExprPtr& expr, const Decl& assertion) {
-    LoadedScript& loaded = impl_->loaded;
-    return loaded.evaluated_at(expr->span, [&] { return loaded.term_of(loaded.compile_side(expr, assertion)); });
-}
-
-std::unique_ptr<lts::TransitionSystem> Session::whole_side(const ExprPtr& expr, const Decl& assertion,
-                                                           const refine::Limits& limits) {
+std::unique_ptr<lts::TransitionSystem> Session::whole_system(process::TermId term, Span span,
+                                                             const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     const Impl::Polling polling(*impl_, budget);
-    return impl_->loaded.evaluated_at(expr->span,
-                                      [&] { return impl_->whole_system(side(expr, assertion), expr->span, budget); });
+    return impl_->loaded.evaluated_at(span, [&] { return impl_->whole_system(term, span, budget); });
+}
+
+process::TermId Session::side(const ExprPtr& expr, const Decl& assertion, const refine::Limits& limits) {
+    refine::Budget budget(limits, refine::Progress::Phase::compiling);
+    const Impl::Polling polling(*impl_, budget);
+    LoadedScript& loaded = impl_->loaded;
+    return loaded.evaluated_at(expr->span, [&] { return loaded.term_of(loaded.compile_side(expr, assertion)); });
 }
 
 std::vector<process::Event> Session::trace(const Decl& assertion) {

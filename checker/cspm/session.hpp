@@ -98,12 +98,12 @@ public:
     /// Returns the transition system without minimising its components. So each of its states determines the states of
     /// all components, and hidden events keep their names.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(const ExprPtr&, const refine::Limits&);
+    /// Does the same for a process that is already a term. Errors have the place `span`.
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(process::TermId, Span span,
+                                                                      const refine::Limits&);
     /// Returns the term of a process of an assertion. The expression is evaluated in the module or timed section of the
     /// assertion. With `tau priority`, the term prioritises tau over the events of the assertion.
-    [[nodiscard]] process::TermId side(const ExprPtr&, const Decl& assertion);
-    /// Returns the transition system of `side`, as `whole_system` does.
-    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_side(const ExprPtr&, const Decl& assertion,
-                                                                    const refine::Limits&);
+    [[nodiscard]] process::TermId side(const ExprPtr&, const Decl& assertion, const refine::Limits&);
     /// Returns the events of a `has trace` assertion.
     [[nodiscard]] std::vector<process::Event> trace(const Decl& assertion);
     /// Returns the events that an expression denotes, which may be an event or a set of events.

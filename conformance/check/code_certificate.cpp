@@ -37,12 +37,11 @@ struct Specification {
 };
 
 std::string text_of(lts::TransitionSystem& process, cspm::Session& session, refine::Budget& budget) {
-    process.set_budget(budget);
-    const auto text = certify::process_text(process, session.terms(), budget);
+    std::optional<std::string> text = certify::process_text(process, session.terms(), budget);
     if (!text)
         throw NoCertificate(fmt::format("the specification is not compiled and has more than {} states",
                                         certify::most_explicit_states));
-    return text->text;
+    return std::move(*text);
 }
 
 /// Reads a printed script. The specification is then what its text says: in the tree of a normal form, composite values
@@ -105,7 +104,7 @@ Table explore_table(const ConformingCode& checked, const Options& options, refin
             throw NoCertificate(fmt::format("the table has more than {} rows", most_rows));
     });
     if (!code.unsound_reason().empty()) throw NoCertificate(code.unsound_reason());
-    Table table{certify::graph_text(found.graph, events, budget).text,
+    Table table{certify::graph_text(found.graph, events, budget),
                 fmt::format("states {}\n", code.started_images().size())};
     std::vector<lts::Word> state(code.width());
     for (const std::uint32_t image : code.started_images()) {
