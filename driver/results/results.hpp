@@ -74,7 +74,7 @@ struct CertificateReport {
     std::uint64_t components = 0;  ///< the number of components of the implementations
     std::string level{};           ///< "term", or "product" if one of the certificates is at the product level
     std::string why_product{};     ///< why a certificate is not at the term level; "" if all of them are
-    std::string reduction{};       ///< what robochart-certify reduced the search by: "confluent taus"; "" if unreduced
+    std::string reduction{};       ///< "confluent taus", "symmetry", both joined by "and"; "" if unreduced
 };
 
 /// One assertion with its answer.

@@ -15,7 +15,7 @@ cp "$main" "$work"
 sh "$here/proofs.sh" "$here/../coq" > "$work/proofs.ml"
 cd "$work"
 "$compiler" -inline 200 -w -a -o "$name" uint63.ml parray.ml sha256.ml verified.mli verified.ml \
-  formats.ml search.ml splitter.ml follow.ml certificate_check.ml proofs.ml coq_form.ml "$(basename "$main")"
+  formats.ml search.ml splitter.ml follow.ml symmetric.ml certificate_check.ml proofs.ml coq_form.ml "$(basename "$main")"
 mv "$name" "../$name.new"
 cd ..
 rm -rf "$name.build"

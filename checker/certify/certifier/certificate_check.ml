@@ -4,7 +4,7 @@ open Verified
 
 type 'a array = 'a Array.t
 
-type figures = { pairs : int; nodes : int; transitions : int; components : int; rules : int; reduced : bool }
+type figures = { pairs : int; nodes : int; transitions : int; components : int; rules : int; reductions : string list }
 type answer = Certified of figures | Refused of string | Undecided of string
 
 (* A side of the claim: a compiled process, or a term and how it is split. *)
@@ -224,14 +224,24 @@ let guarded f =
   | Out_of_memory -> Undecided "there is no more memory"
   | Invalid_argument _ | Not_found | Failure _ | Division_by_zero -> Refused "the evidence is malformed"
 
-(* Returns which steps of the implementation are followed, if that makes the search smaller. *)
+(* Returns the reductions that make the search smaller, with their names. *)
 let reduction_for (claim : Formats.claim) plan =
-  let process = plan.process in
-  let any = claim.question = Formats.Property Deadlock_free in
+  let process = plan.process and layout = plan.shape.packs in
   if not (shape_ok plan.shape process.system) then None
   else
-    Follow.reduction_of (merged plan.shape.merges process.system) process.sizes plan.shape.packs
-      (compact plan.shape process.system) ~any
+    let system = merged plan.shape.merges process.system in
+    let any = claim.question = Formats.Property Deadlock_free in
+    let representative k v = if v < plan.shape.merges.merged_states k then plan.shape.merges.representative k v else v in
+    let normal = if Array.length plan.nodes = 0 then None else Some (Search.normal_form_of plan.nodes) in
+    let only g = { confluent = None; symmetric = [ g ]; turns = (fun _ -> []) } in
+    let indifferent g = match normal with None -> true | Some normal -> indifferent_ok (only g) normal in
+    let confluent = Follow.steps_of system process.sizes layout (compact plan.shape process.system) ~any in
+    let exchanges = Symmetric.exchanges_of system process.sizes representative layout (Follow.fields_of layout) plan.nodes indifferent in
+    match (confluent, exchanges) with
+    | None, None -> None
+    | Some _, None -> Some ({ confluent; symmetric = []; turns = (fun _ -> []) }, [ "confluent taus" ])
+    | _, Some (symmetric, turns) ->
+        Some ({ confluent; symmetric; turns }, (if confluent = None then [] else [ "confluent taus" ]) @ [ "symmetry" ])
 
 (* Finds the pairs while the check visits them. Returns the search, and whether the check accepts. *)
 let check_on_the_way ?reduction plan ~most =
@@ -243,20 +253,21 @@ let check_on_the_way ?reduction plan ~most =
 (* If the check refuses, another search without a reduction finds the run to the violation. *)
 let certify_on_the_way ~reduce (claim : Formats.claim) ~most =
   let plan = plan_of claim ~most in
-  let reduction = if reduce then reduction_for claim plan else None in
-  let certified (walk : Search.walk) ~reduced =
+  let found = if reduce then reduction_for claim plan else None in
+  let reduction = Option.map fst found in
+  let certified (walk : Search.walk) reductions =
     Certified
       { pairs = walk.pairs.filled; nodes = Array.length plan.nodes; transitions = walk.moves_seen;
-        components = Array.length plan.process.component_names; rules = plan.process.rule_count; reduced }
+        components = Array.length plan.process.component_names; rules = plan.process.rule_count; reductions }
   in
   let walk, proof, accepts = check_on_the_way ?reduction plan ~most in
-  if accepts then certified walk ~reduced:(reduction <> None)
+  if accepts then certified walk (match found with None -> [] | Some (_, names) -> names)
   else begin
     ignore (search_pairs plan ~most);
     if reduction = None then Refused (first_refused proof)
     else
       let walk, proof, accepts = check_on_the_way plan ~most in
-      if accepts then certified walk ~reduced:false else Refused (first_refused proof)
+      if accepts then certified walk [] else Refused (first_refused proof)
   end
 
 (* The steps of a search for a violation, which shows that a refinement fails. *)
@@ -336,5 +347,5 @@ let certify ?(reduce = true) (claim : Formats.claim) ~most =
             let impl = compiled claim.implementation in
             Certified
               { pairs; nodes = 0; transitions = 0; components = Array.length impl.component_names; rules = impl.rule_count;
-                reduced = false }
+                reductions = [] }
           else Refused (first_refused proof))

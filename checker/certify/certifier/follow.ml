@@ -426,7 +426,7 @@ let rec path_from t locals before entries length =
 let hint t words =
   match Keys.find_opt t.known words with Some path -> path | None -> path_from t (unpack t words) [] [] 0
 
-let reduction t : reduction =
+let collected t : confluent_steps =
   let count = t.entry_count in
   { entries = count;
     follows = (fun j -> fst t.entries.(j));
@@ -481,11 +481,11 @@ let learn t (lts : Search.words lts) =
   t.learning <- false;
   useful
 
-(* Returns a reduction of the process, if there is one that helps. *)
-let reduction_of (process : system) sizes (layout : layout) (lts : Search.words lts) ~any =
+(* Returns the steps of the process that may be followed, if this helps. *)
+let steps_of (process : system) sizes (layout : layout) (lts : Search.words lts) ~any =
   if count_rules process > most_rules || List.fold_left ( + ) 0 sizes > most_able / layout.event_count then None
   else
     let t = prepare process sizes layout layout.event_count ~any in
     if Array.for_all (fun q -> q < 0) t.first then None
-    else if learn t lts then Some (reduction t)
+    else if learn t lts then Some (collected t)
     else None

@@ -43,8 +43,9 @@ let grouped n =
 let plural n word = Printf.sprintf "%s %s%s" (grouped n) word (if n = 1 then "" else "s")
 
 let pairs_text (figures : Certificate_check.figures) =
-  if figures.reduced then plural figures.pairs "pair" ^ ", reduced by confluent taus"
-  else "unreduced, " ^ plural figures.pairs "pair"
+  match figures.reductions with
+  | [] -> "unreduced, " ^ plural figures.pairs "pair"
+  | names -> Printf.sprintf "%s, reduced by %s" (plural figures.pairs "pair") (String.concat " and " names)
 
 let decide ~most ~reduce folder =
   match Formats.read_claim folder with
@@ -74,8 +75,9 @@ let print_answer folder ~most ~reduce =
   let line, code =
     match decide ~most ~reduce folder with
     | _, _, Certificate_check.Certified figures ->
-        let reduced = if figures.reduced then " confluent taus" else "" in
-        (Printf.sprintf "certified %d %d%s" figures.pairs figures.components reduced, 0)
+        let reductions = String.concat " and " figures.reductions in
+        let reductions = if reductions = "" then "" else " " ^ reductions in
+        (Printf.sprintf "certified %d %d%s" figures.pairs figures.components reductions, 0)
     | _, _, Refused why -> ("refused " ^ printable why, 1)
     | _, _, Undecided why -> ("undecided " ^ printable why, 1)
   in
@@ -99,6 +101,9 @@ let print_theorem folder ~most =
   | text -> print_string text
   | exception Formats.Unreadable why | exception Search.Refuted why | exception Search.Limit why ->
       prerr_endline ("robochart-certify: " ^ printable why);
+      exit 1
+  | exception Stack_overflow ->
+      prerr_endline "robochart-certify: the certificate is too large for the Coq form";
       exit 1
 
 let () = Gc.set { (Gc.get ()) with space_overhead = 200 }

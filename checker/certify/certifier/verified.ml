@@ -694,13 +694,13 @@ let steps_to spec eqs s a u =
     'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 evidence -> (Uint63.t -> 'a1 ->
     bool) -> (Uint63.t -> origin) -> Uint63.t -> bool **)
 
-let derived spec eqs e seed source0 k =
+let derived spec eqs e seed source1 k =
   all_below (fun j ->
-    let o = source0 j in
+    let o = source1 j in
     if o.by_event
     then seed o.from (e.member k j)
     else if ltb0 o.from (e.size0 k)
-         then if ltb0 (source0 o.from).depth o.depth
+         then if ltb0 (source1 o.from).depth o.depth
               then steps_to spec eqs (e.member k o.from) tau (e.member k j)
               else false
          else false) (e.size0 k)
@@ -984,14 +984,6 @@ let check_implementation impl eqi n m p =
   then true
   else walk impl eqi p (event_needs n m) (refusals n m p) n.root
 
-(** val check :
-    'a1 lts -> 'a2 lts -> ('a1 -> 'a1 -> bool) -> ('a2 -> 'a2 -> bool) ->
-    model -> normal_form -> 'a1 evidence -> 'a2 pairs -> bool **)
-
-let check spec impl eqs eqi m n e p =
-  (&&) (check_specification spec eqs n e m)
-    (check_implementation impl eqi n m p)
-
 (** val no_deadlock : property -> bool **)
 
 let no_deadlock = function
@@ -1023,6 +1015,12 @@ let any_event p _ a =
 
 let check_property impl eqi p p0 =
   walk impl eqi p0 (any_event p) (enabled p) (Uint63.of_int (0))
+
+(** val no_repetition : int list -> bool **)
+
+let rec no_repetition = function
+| [] -> true
+| x :: l0 -> (&&) (negb (existsb ((=) x) l0)) (no_repetition l0)
 
 (** val set_all : (int -> Uint63.t -> 'a1) -> change list -> 'a1 list **)
 
@@ -1687,18 +1685,6 @@ let rec whole_rules r at_ =
   let slots0 = slots_of r in
   flat_map (whole_of at_ parts rules slots0 sources) rules
 
-(** val led : ('a1 -> 'a1) -> 'a1 lts -> 'a1 lts **)
-
-let led lead0 p =
-  { init = (lead0 p.init); succ0 = (fun s ->
-    map (fun m -> ((fst m), (lead0 (snd m)))) (p.succ0 s)) }
-
-(** val hidden : 'a1 lts -> 'a1 lts **)
-
-let hidden p =
-  { init = p.init; succ0 = (fun s ->
-    map (fun m -> (tau, (snd m))) (p.succ0 s)) }
-
 type cube = (int * Uint63.t) list
 
 (** val local_in : cube -> int -> Uint63.t option **)
@@ -1716,10 +1702,11 @@ let rec put_in c k x =
   | p :: c' ->
     let (j, v) = p in (j, (if (=) j k then x else v)) :: (put_in c' k x)
 
-type reduction = { entries : Uint63.t; follows : (Uint63.t -> Uint63.t);
-                   states_of : (Uint63.t -> cube);
-                   entry_after : (Uint63.t -> cube -> Uint63.t);
-                   hint : (Uint63.t list -> Uint63.t list) }
+type confluent_steps = { entries : Uint63.t;
+                         follows : (Uint63.t -> Uint63.t);
+                         states_of : (Uint63.t -> cube);
+                         entry_after : (Uint63.t -> cube -> Uint63.t);
+                         hint : (Uint63.t list -> Uint63.t list) }
 
 (** val same_item : item -> item -> bool **)
 
@@ -1973,7 +1960,7 @@ let implies_cube c d =
     | Some v -> eqb v (snd kv)
     | None -> false) d
 
-(** val continues : reduction -> Uint63.t -> cube -> bool **)
+(** val continues : confluent_steps -> Uint63.t -> cube -> bool **)
 
 let continues c j c0 =
   let i = c.entry_after j c0 in
@@ -1984,8 +1971,8 @@ let continues c j c0 =
   else false
 
 (** val spared :
-    reduction -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> Uint63.t
-    -> whole_rule -> cube -> whole_rule -> bool **)
+    confluent_steps -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) ->
+    Uint63.t -> whole_rule -> cube -> whole_rule -> bool **)
 
 let spared c row_of j r c0 w =
   if cannot_fire row_of r c0 w
@@ -2024,9 +2011,9 @@ let by_slot y =
             | None -> f k))
 
 (** val entry_ok :
-    system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
-    list) -> (Uint63.t -> whole_rule option) -> (int -> whole_rule list) ->
-    (int -> whole_rule list) -> Uint63.t -> bool **)
+    system -> confluent_steps -> bool -> (int -> ev -> Uint63.t ->
+    (ev * Uint63.t) list) -> (Uint63.t -> whole_rule option) -> (int ->
+    whole_rule list) -> (int -> whole_rule list) -> Uint63.t -> bool **)
 
 let entry_ok y c any row_of =
   let n = length y.start in
@@ -2054,8 +2041,8 @@ let entry_ok y c any row_of =
   | None -> false)
 
 (** val confluent_ok :
-    system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
-    list) -> bool **)
+    system -> confluent_steps -> bool -> (int -> ev -> Uint63.t ->
+    (ev * Uint63.t) list) -> bool **)
 
 let confluent_ok y c any row_of =
   let rules = rules_of_whole y in
@@ -2063,6 +2050,279 @@ let confluent_ok y c any row_of =
   let near = by_slot y (touching rules) in
   let around_of = by_slot y (guarding rules) in
   all_below (entry_ok y c any row_of rule_at near around_of) c.entries
+
+(** val led : ('a1 -> 'a1) -> 'a1 lts -> 'a1 lts **)
+
+let led lead0 p =
+  { init = (lead0 p.init); succ0 = (fun s ->
+    map (fun m -> ((fst m), (lead0 (snd m)))) (p.succ0 s)) }
+
+(** val hidden : 'a1 lts -> 'a1 lts **)
+
+let hidden p =
+  { init = p.init; succ0 = (fun s ->
+    map (fun m -> (tau, (snd m))) (p.succ0 s)) }
+
+type pull = { source0 : int; send : (Uint63.t -> Uint63.t);
+              rename : (ev -> ev); restore : (ev -> ev) }
+
+type mapping =
+| Mapping of (int -> int) * (ev -> ev) * (ev -> ev) * (Uint63.t -> Uint63.t)
+   * (Uint63.t -> Uint63.t) * (int -> mapping)
+
+type automorphism = { pulls : (int * pull) list; tree : mapping;
+                      instead : (Uint63.t -> Uint63.t -> Uint63.t) }
+
+(** val new_place : mapping -> int -> int **)
+
+let new_place = function
+| Mapping (place0, _, _, _, _, _) -> place0
+
+(** val new_name : mapping -> ev -> ev **)
+
+let new_name = function
+| Mapping (_, renames, _, _, _, _) -> renames
+
+(** val old_name : mapping -> ev -> ev **)
+
+let old_name = function
+| Mapping (_, _, restores, _, _, _) -> restores
+
+(** val rule_to : mapping -> Uint63.t -> Uint63.t **)
+
+let rule_to = function
+| Mapping (_, _, _, to_, _, _) -> to_
+
+(** val rule_from : mapping -> Uint63.t -> Uint63.t **)
+
+let rule_from = function
+| Mapping (_, _, _, _, from_, _) -> from_
+
+(** val deeper : mapping -> int -> mapping **)
+
+let deeper = function
+| Mapping (_, _, _, _, _, inner) -> inner
+
+(** val all_numbered :
+    (Uint63.t -> 'a1 -> bool) -> Uint63.t -> 'a1 list -> bool **)
+
+let rec all_numbered f i = function
+| [] -> true
+| x :: l' ->
+  if f i x then all_numbered f (add0 i (Uint63.of_int (1))) l' else false
+
+(** val all_true : bool list -> bool **)
+
+let all_true l =
+  forallb (fun b -> b) l
+
+(** val stay : int -> pull **)
+
+let stay k =
+  { source0 = k; send = (fun v -> v); rename = (fun e -> e); restore =
+    (fun e -> e) }
+
+(** val pull_in : (int * pull) list -> int -> pull **)
+
+let rec pull_in l j =
+  match l with
+  | [] -> stay j
+  | p0 :: l' -> let (i, p) = p0 in if (=) i j then p else pull_in l' j
+
+(** val sets_nothing : rule -> bool **)
+
+let sets_nothing q =
+  match q.puts with
+  | [] -> true
+  | _ :: _ -> false
+
+(** val silent : region -> bool **)
+
+let rec silent = function
+| Region (parts, rules) ->
+  (&&) (forallb sets_nothing rules)
+    (forallb (fun p -> match p with
+                       | Slot _ -> true
+                       | Inner r' -> silent r') parts)
+
+(** val plain : system -> bool **)
+
+let plain y =
+  (&&) (silent y.whole) (no_repetition (slots_of y.whole))
+
+(** val pull_at : automorphism -> int -> pull **)
+
+let pull_at g j =
+  pull_in g.pulls j
+
+(** val name_at :
+    automorphism -> mapping -> participant list -> int -> ev -> ev **)
+
+let name_at g m to_ i =
+  match nth_error to_ (new_place m i) with
+  | Some p ->
+    (match p with
+     | Slot j -> (pull_at g j).rename
+     | Inner _ -> new_name (deeper m i))
+  | None -> new_name (deeper m i)
+
+(** val old_name_at :
+    automorphism -> mapping -> participant list -> int -> ev -> ev **)
+
+let old_name_at g m to_ i =
+  match nth_error to_ (new_place m i) with
+  | Some p ->
+    (match p with
+     | Slot j -> (pull_at g j).restore
+     | Inner _ -> old_name (deeper m i))
+  | None -> old_name (deeper m i)
+
+(** val image_of :
+    automorphism -> mapping -> participant list -> (int * ev) -> int * ev **)
+
+let image_of g m to_ a =
+  ((new_place m (fst a)), (name_at g m to_ (fst a) (snd a)))
+
+(** val same_level : Uint63.t option -> Uint63.t option -> bool **)
+
+let same_level k l =
+  match k with
+  | Some k0 -> (match l with
+                | Some l0 -> eqb k0 l0
+                | None -> false)
+  | None -> (match l with
+             | Some _ -> false
+             | None -> true)
+
+(** val corresponds :
+    automorphism -> mapping -> participant list -> participant list -> rule
+    -> rule -> bool **)
+
+let corresponds g m parts to_ q q' =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&)
+          ((&&)
+            ((&&) (same_level q.level q'.level)
+              (eqb q'.does (new_name m q.does)))
+            (eqb q.does (old_name m q'.does)))
+          (no_repetition (map fst q'.asks)))
+        ((<=) (length q.asks) (length q'.asks)))
+      (forallb (fun a ->
+        (&&) (Nat.ltb (fst a) (length parts))
+          (eqb
+            (old_name_at g m to_ (fst a) (name_at g m to_ (fst a) (snd a)))
+            (snd a))) q.asks))
+    (let images = map (image_of g m to_) q.asks in
+     forallb (fun b ->
+       existsb (fun c ->
+         if (=) (fst c) (fst b) then eqb (snd c) (snd b) else false) images)
+       q'.asks)
+
+(** val rules_correspond :
+    automorphism -> mapping -> participant list -> participant list -> rule
+    list -> rule list -> bool **)
+
+let rules_correspond g m parts to_ rules rules' =
+  let rule_at = element rules in
+  let rule_at' = element rules' in
+  (&&)
+    (all_numbered (fun i q ->
+      match rule_at' (rule_to m i) with
+      | Some q' -> corresponds g m parts to_ q q'
+      | None -> false) (Uint63.of_int (0)) rules)
+    (all_numbered (fun i q' ->
+      match rule_at (rule_from m i) with
+      | Some q -> corresponds g m parts to_ q q'
+      | None -> false) (Uint63.of_int (0)) rules')
+
+(** val maps :
+    system -> automorphism -> region -> mapping -> region -> bool **)
+
+let maps y g =
+  let n = length y.start in
+  let rec maps0 r m r' =
+    let Region (parts, rules) = r in
+    let Region (to_, rules') = r' in
+    (&&)
+      (all_true
+        (number (fun i f -> f i) 0
+          (map (fun p i ->
+            match p with
+            | Slot k ->
+              (match nth_error to_ (new_place m i) with
+               | Some p0 ->
+                 (match p0 with
+                  | Slot j -> (&&) (Nat.ltb j n) ((=) (pull_at g j).source0 k)
+                  | Inner _ -> false)
+               | None -> false)
+            | Inner q ->
+              (match nth_error to_ (new_place m i) with
+               | Some p0 ->
+                 (match p0 with
+                  | Slot _ -> false
+                  | Inner q' -> maps0 q (deeper m i) q')
+               | None -> false)) parts)))
+      (rules_correspond g m parts to_ rules rules')
+  in maps0
+
+(** val rename_edges :
+    pull -> (ev * Uint63.t) list -> (ev * Uint63.t) list **)
+
+let rename_edges p l =
+  map (fun x -> ((p.rename (fst x)), (p.send (snd x)))) l
+
+(** val pull_ok :
+    system -> (int -> Uint63.t) -> automorphism -> (int * pull) -> bool **)
+
+let pull_ok y size_of0 g =
+  let n = length y.start in
+  (fun x ->
+  let (j, p) = x in
+  (&&)
+    ((&&) ((&&) (Nat.ltb j n) (Nat.ltb p.source0 n))
+      (existsb ((=) p.source0) (map fst g.pulls)))
+    (all_below (fun v ->
+      let w = p.send v in
+      let l = y.edges p.source0 v in
+      (&&)
+        ((&&) (ltb0 w (size_of0 j))
+          (forallb (fun e -> eqb (p.restore (p.rename (fst e))) (fst e)) l))
+        (equal_edges (rename_edges p l) (y.edges j w))) (size_of0 p.source0)))
+
+(** val same_test : ev -> ev -> ev -> bool **)
+
+let same_test a b x =
+  if eqb a x then eqb b x else negb (eqb b x)
+
+(** val names_ok : automorphism -> rule -> bool **)
+
+let names_ok g q =
+  let a = q.does in
+  let b = new_name g.tree a in (&&) (same_test a b tau) (same_test a b tick)
+
+(** val automorphism_ok :
+    system -> (int -> Uint63.t) -> automorphism -> bool **)
+
+let automorphism_ok y size_of0 g =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) (no_repetition (map fst g.pulls))
+          (no_repetition (map (fun x -> (snd x).source0) g.pulls)))
+        (forallb (pull_ok y size_of0 g) g.pulls))
+      (maps y g y.whole g.tree y.whole))
+    (let Region (_, rules) = y.whole in forallb (names_ok g) rules)
+
+(** val old_event : automorphism -> ev -> ev **)
+
+let old_event g =
+  old_name g.tree
+
+type reduction = { confluent : confluent_steps option;
+                   symmetric : automorphism list;
+                   turns : (Uint63.t list -> Uint63.t list) }
 
 (** val last_bits : ev -> Uint63.t **)
 
@@ -2119,10 +2379,10 @@ let writes_of l t r c =
 let passes tests x =
   forallb (fun t -> eqb (fst t x) (snd t)) tests
 
-(** val lead_on :
-    layout -> system -> reduction -> Uint63.t list -> Uint63.t list **)
+(** val follow_on :
+    layout -> system -> confluent_steps -> Uint63.t list -> Uint63.t list **)
 
-let lead_on l y c =
+let follow_on l y c =
   let t = rows_by_event l y in
   let rule_at = element (rules_of_whole y) in
   let rows =
@@ -2138,6 +2398,43 @@ let lead_on l y c =
          else x0
     else x0) (c.hint x) x)
 
+(** val fields_of_pull :
+    layout -> (int * pull) -> ((Uint63.t list -> Uint63.t) * (Uint63.t ->
+    Uint63.t)) * field **)
+
+let fields_of_pull l x =
+  (((read_local l (snd x).source0), (snd x).send),
+    (fst (write_local l (fst x) (Uint63.of_int (0)))))
+
+(** val turned :
+    (((Uint63.t list -> Uint63.t) * (Uint63.t -> Uint63.t)) * field) list ->
+    Uint63.t list -> Uint63.t list **)
+
+let turned l x =
+  fold_left write_field
+    (map (fun p -> ((snd p), (snd (fst p) (fst (fst p) x)))) l) x
+
+(** val turn_on : layout -> reduction -> Uint63.t list -> Uint63.t list **)
+
+let turn_on l r =
+  let turn_at =
+    element (map (fun g -> map (fields_of_pull l) g.pulls) r.symmetric)
+  in
+  (fun x ->
+  fold_left (fun x0 i ->
+    match turn_at i with
+    | Some l0 -> turned l0 x0
+    | None -> x0) (r.turns x) x)
+
+(** val lead_on :
+    layout -> system -> reduction -> Uint63.t list -> Uint63.t list **)
+
+let lead_on l y r =
+  let turn = turn_on l r in
+  (match r.confluent with
+   | Some c -> let follow = follow_on l y c in (fun x -> turn (follow x))
+   | None -> turn)
+
 (** val unreduced : layout -> system -> bool -> Uint63.t list lts **)
 
 let unreduced l y = function
@@ -2147,8 +2444,47 @@ let unreduced l y = function
 (** val reduced :
     layout -> system -> reduction -> bool -> Uint63.t list lts **)
 
-let reduced l y c any =
-  let f = lead_on l y c in led f (unreduced l y any)
+let reduced l y r any =
+  let f = lead_on l y r in led f (unreduced l y any)
+
+(** val reduction_holds : layout -> system -> reduction -> bool -> bool **)
+
+let reduction_holds l y r any =
+  (&&)
+    (match r.confluent with
+     | Some c -> confluent_ok y c any (rows_by_event l y)
+     | None -> true)
+    (match r.symmetric with
+     | [] -> true
+     | a :: l0 ->
+       (&&) (plain y)
+         (forallb (fun g -> automorphism_ok y (size_of l) g) (a :: l0)))
+
+(** val among : ev list -> (ev -> ev) -> ev -> bool **)
+
+let among a f a0 =
+  existsb (fun b -> eqb (f b) a0) a
+
+(** val indifferent_node : normal_form -> automorphism -> Uint63.t -> bool **)
+
+let indifferent_node n g n0 =
+  let f = old_event g in
+  (&&)
+    (all_below (fun i ->
+      let (b, k) = n.arc n0 i in
+      (match after n n0 (f b) with
+       | Some j -> eqb j k
+       | None -> false)) (n.arc_count n0))
+    (all_below (fun i ->
+      let j = g.instead n0 i in
+      if ltb0 j (n.acceptance_count n0)
+      then forallb (among (n.acceptance n0 i) f) (n.acceptance n0 j)
+      else false) (n.acceptance_count n0))
+
+(** val indifferent_ok : reduction -> normal_form -> bool **)
+
+let indifferent_ok r n =
+  forallb (fun g -> all_below (indifferent_node n g) n.nodes) r.symmetric
 
 (** val only_deadlocks : property -> bool **)
 
@@ -2432,9 +2768,7 @@ let searched any h r y =
 
 let reduction_ok any h r y =
   match r with
-  | Some r0 ->
-    let z0 = merged h.merges y in
-    confluent_ok z0 r0 any (rows_by_event h.packs z0)
+  | Some r0 -> reduction_holds h.packs (merged h.merges y) r0 any
   | None -> true
 
 (** val certify_refinement :
@@ -2443,10 +2777,15 @@ let reduction_ok any h r y =
 
 let certify_refinement m hs spec hi impl r n e p =
   (&&)
-    ((&&) ((&&) (shape_ok hs spec) (shape_ok hi impl))
-      (reduction_ok false hi r impl))
-    (check (compact hs spec) (searched false hi r impl) eq_words eq_words m n
-      e p)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (shape_ok hs spec) (shape_ok hi impl))
+          (reduction_ok false hi r impl))
+        (match r with
+         | Some r0 -> indifferent_ok r0 n
+         | None -> true))
+      (check_specification (compact hs spec) eq_words n e m))
+    (check_implementation (searched false hi r impl) eq_words n m p)
 
 (** val certify_property :
     property -> shape -> system -> reduction option -> Uint63.t list pairs ->
@@ -2753,14 +3092,14 @@ let distinct events l =
       if Parray.get t e then x else ((Parray.set t e true), (e :: found))) l
       ((Parray.make events false), []))
 
-type tree =
+type tree0 =
 | Leaf of int
-| Beside of Uint63.t * Uint63.t * Uint63.t * tree * tree
-| Hidden of Uint63.t * tree
-| Renamed of Uint63.t * tree
-| Prioritised of Uint63.t * tree
+| Beside of Uint63.t * Uint63.t * Uint63.t * tree0 * tree0
+| Hidden of Uint63.t * tree0
+| Renamed of Uint63.t * tree0
+| Prioritised of Uint63.t * tree0
 
-type split = { whole_tree : tree; slots : int; states : (int -> Uint63.t);
+type split = { whole_tree : tree0; slots : int; states : (int -> Uint63.t);
                meaning : (int -> Uint63.t -> term);
                number_of : (int -> term -> Uint63.t);
                alphabet : (int -> ev list); enough : int;
@@ -2844,7 +3183,7 @@ let beside events on_p on_q on_both0 c d =
                (app v.wants (shift0 n w.wants)) }) (others0 v.gives)
         else []) (snd c)))))
 
-(** val compile : definitions -> split -> tree -> compiled **)
+(** val compile : definitions -> split -> tree0 -> compiled **)
 
 let compile d x =
   let events = x.event_bound in
@@ -2858,7 +3197,7 @@ let compile d x =
   | Prioritised (o, t0) -> ranked_by (rank d o) (boxed events (compile0 t0))
   in compile0
 
-(** val term_of : split -> Uint63.t list -> tree -> term **)
+(** val term_of : split -> Uint63.t list -> tree0 -> term **)
 
 let rec term_of x s = function
 | Leaf k -> x.meaning k (nth k s (Uint63.of_int (0)))
@@ -2868,7 +3207,7 @@ let rec term_of x s = function
 | Renamed (r, t0) -> Rename (r, (term_of x s t0))
 | Prioritised (o, t0) -> Prioritise (o, (term_of x s t0))
 
-(** val leaves0 : tree -> int list **)
+(** val leaves0 : tree0 -> int list **)
 
 let rec leaves0 = function
 | Leaf k -> k :: []
@@ -2915,12 +3254,6 @@ let component_ok d x =
         forallb (fun m ->
           if Parray.get listed (fst m) then known x k (snd m) else false) l
       | None -> false) (x.states k)))
-
-(** val no_repetition : int list -> bool **)
-
-let rec no_repetition = function
-| [] -> true
-| x :: l0 -> (&&) (negb (existsb ((=) x) l0)) (no_repetition l0)
 
 (** val split_ok : definitions -> split -> term -> bool **)
 

@@ -338,10 +338,6 @@ val event_needs : normal_form -> model -> Uint63.t -> ev -> need
 val check_implementation :
   'a1 lts -> ('a1 -> 'a1 -> bool) -> normal_form -> model -> 'a1 pairs -> bool
 
-val check :
-  'a1 lts -> 'a2 lts -> ('a1 -> 'a1 -> bool) -> ('a2 -> 'a2 -> bool) -> model
-  -> normal_form -> 'a1 evidence -> 'a2 pairs -> bool
-
 val no_deadlock : property -> bool
 
 val no_divergence : property -> bool
@@ -352,6 +348,8 @@ val any_event : property -> Uint63.t -> ev -> need
 
 val check_property :
   'a1 lts -> ('a1 -> 'a1 -> bool) -> property -> 'a1 pairs -> bool
+
+val no_repetition : int list -> bool
 
 val set_all : (int -> Uint63.t -> 'a1) -> change list -> 'a1 list
 
@@ -570,20 +568,17 @@ val whole_of :
 
 val whole_rules : region -> int list -> whole_rule list
 
-val led : ('a1 -> 'a1) -> 'a1 lts -> 'a1 lts
-
-val hidden : 'a1 lts -> 'a1 lts
-
 type cube = (int * Uint63.t) list
 
 val local_in : cube -> int -> Uint63.t option
 
 val put_in : cube -> int -> Uint63.t -> cube
 
-type reduction = { entries : Uint63.t; follows : (Uint63.t -> Uint63.t);
-                   states_of : (Uint63.t -> cube);
-                   entry_after : (Uint63.t -> cube -> Uint63.t);
-                   hint : (Uint63.t list -> Uint63.t list) }
+type confluent_steps = { entries : Uint63.t;
+                         follows : (Uint63.t -> Uint63.t);
+                         states_of : (Uint63.t -> cube);
+                         entry_after : (Uint63.t -> cube -> Uint63.t);
+                         hint : (Uint63.t list -> Uint63.t list) }
 
 val same_item : item -> item -> bool
 
@@ -660,11 +655,11 @@ val outcomes :
 
 val implies_cube : cube -> cube -> bool
 
-val continues : reduction -> Uint63.t -> cube -> bool
+val continues : confluent_steps -> Uint63.t -> cube -> bool
 
 val spared :
-  reduction -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) -> Uint63.t ->
-  whole_rule -> cube -> whole_rule -> bool
+  confluent_steps -> (int -> ev -> Uint63.t -> (ev * Uint63.t) list) ->
+  Uint63.t -> whole_rule -> cube -> whole_rule -> bool
 
 val touching : whole_rule list -> int -> whole_rule list
 
@@ -673,13 +668,92 @@ val guarding : whole_rule list -> int -> whole_rule list
 val by_slot : system -> (int -> whole_rule list) -> int -> whole_rule list
 
 val entry_ok :
-  system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
-  list) -> (Uint63.t -> whole_rule option) -> (int -> whole_rule list) ->
-  (int -> whole_rule list) -> Uint63.t -> bool
+  system -> confluent_steps -> bool -> (int -> ev -> Uint63.t ->
+  (ev * Uint63.t) list) -> (Uint63.t -> whole_rule option) -> (int ->
+  whole_rule list) -> (int -> whole_rule list) -> Uint63.t -> bool
 
 val confluent_ok :
-  system -> reduction -> bool -> (int -> ev -> Uint63.t -> (ev * Uint63.t)
-  list) -> bool
+  system -> confluent_steps -> bool -> (int -> ev -> Uint63.t ->
+  (ev * Uint63.t) list) -> bool
+
+val led : ('a1 -> 'a1) -> 'a1 lts -> 'a1 lts
+
+val hidden : 'a1 lts -> 'a1 lts
+
+type pull = { source0 : int; send : (Uint63.t -> Uint63.t);
+              rename : (ev -> ev); restore : (ev -> ev) }
+
+type mapping =
+| Mapping of (int -> int) * (ev -> ev) * (ev -> ev) * (Uint63.t -> Uint63.t)
+   * (Uint63.t -> Uint63.t) * (int -> mapping)
+
+type automorphism = { pulls : (int * pull) list; tree : mapping;
+                      instead : (Uint63.t -> Uint63.t -> Uint63.t) }
+
+val new_place : mapping -> int -> int
+
+val new_name : mapping -> ev -> ev
+
+val old_name : mapping -> ev -> ev
+
+val rule_to : mapping -> Uint63.t -> Uint63.t
+
+val rule_from : mapping -> Uint63.t -> Uint63.t
+
+val deeper : mapping -> int -> mapping
+
+val all_numbered : (Uint63.t -> 'a1 -> bool) -> Uint63.t -> 'a1 list -> bool
+
+val all_true : bool list -> bool
+
+val stay : int -> pull
+
+val pull_in : (int * pull) list -> int -> pull
+
+val sets_nothing : rule -> bool
+
+val silent : region -> bool
+
+val plain : system -> bool
+
+val pull_at : automorphism -> int -> pull
+
+val name_at : automorphism -> mapping -> participant list -> int -> ev -> ev
+
+val old_name_at :
+  automorphism -> mapping -> participant list -> int -> ev -> ev
+
+val image_of :
+  automorphism -> mapping -> participant list -> (int * ev) -> int * ev
+
+val same_level : Uint63.t option -> Uint63.t option -> bool
+
+val corresponds :
+  automorphism -> mapping -> participant list -> participant list -> rule ->
+  rule -> bool
+
+val rules_correspond :
+  automorphism -> mapping -> participant list -> participant list -> rule
+  list -> rule list -> bool
+
+val maps : system -> automorphism -> region -> mapping -> region -> bool
+
+val rename_edges : pull -> (ev * Uint63.t) list -> (ev * Uint63.t) list
+
+val pull_ok :
+  system -> (int -> Uint63.t) -> automorphism -> (int * pull) -> bool
+
+val same_test : ev -> ev -> ev -> bool
+
+val names_ok : automorphism -> rule -> bool
+
+val automorphism_ok : system -> (int -> Uint63.t) -> automorphism -> bool
+
+val old_event : automorphism -> ev -> ev
+
+type reduction = { confluent : confluent_steps option;
+                   symmetric : automorphism list;
+                   turns : (Uint63.t list -> Uint63.t list) }
 
 val last_bits : ev -> Uint63.t
 
@@ -697,11 +771,32 @@ val writes_of :
 val passes :
   ((Uint63.t list -> Uint63.t) * Uint63.t) list -> Uint63.t list -> bool
 
+val follow_on :
+  layout -> system -> confluent_steps -> Uint63.t list -> Uint63.t list
+
+val fields_of_pull :
+  layout -> (int * pull) -> ((Uint63.t list -> Uint63.t) * (Uint63.t ->
+  Uint63.t)) * field
+
+val turned :
+  (((Uint63.t list -> Uint63.t) * (Uint63.t -> Uint63.t)) * field) list ->
+  Uint63.t list -> Uint63.t list
+
+val turn_on : layout -> reduction -> Uint63.t list -> Uint63.t list
+
 val lead_on : layout -> system -> reduction -> Uint63.t list -> Uint63.t list
 
 val unreduced : layout -> system -> bool -> Uint63.t list lts
 
 val reduced : layout -> system -> reduction -> bool -> Uint63.t list lts
+
+val reduction_holds : layout -> system -> reduction -> bool -> bool
+
+val among : ev list -> (ev -> ev) -> ev -> bool
+
+val indifferent_node : normal_form -> automorphism -> Uint63.t -> bool
+
+val indifferent_ok : reduction -> normal_form -> bool
 
 val only_deadlocks : property -> bool
 
@@ -875,14 +970,14 @@ val eq_term : term -> term -> bool
 
 val distinct : Uint63.t -> ev list -> ev list
 
-type tree =
+type tree0 =
 | Leaf of int
-| Beside of Uint63.t * Uint63.t * Uint63.t * tree * tree
-| Hidden of Uint63.t * tree
-| Renamed of Uint63.t * tree
-| Prioritised of Uint63.t * tree
+| Beside of Uint63.t * Uint63.t * Uint63.t * tree0 * tree0
+| Hidden of Uint63.t * tree0
+| Renamed of Uint63.t * tree0
+| Prioritised of Uint63.t * tree0
 
-type split = { whole_tree : tree; slots : int; states : (int -> Uint63.t);
+type split = { whole_tree : tree0; slots : int; states : (int -> Uint63.t);
                meaning : (int -> Uint63.t -> term);
                number_of : (int -> term -> Uint63.t);
                alphabet : (int -> ev list); enough : int;
@@ -914,11 +1009,11 @@ val beside :
   Uint63.t -> (ev -> bool) -> (ev -> bool) -> (ev -> bool) -> compiled ->
   compiled -> compiled
 
-val compile : definitions -> split -> tree -> compiled
+val compile : definitions -> split -> tree0 -> compiled
 
-val term_of : split -> Uint63.t list -> tree -> term
+val term_of : split -> Uint63.t list -> tree0 -> term
 
-val leaves0 : tree -> int list
+val leaves0 : tree0 -> int list
 
 val row : definitions -> split -> int -> Uint63.t -> (ev * Uint63.t) list
 
@@ -927,8 +1022,6 @@ val split_system : definitions -> split -> system
 val known : split -> int -> term -> bool
 
 val component_ok : definitions -> split -> int -> bool
-
-val no_repetition : int list -> bool
 
 val split_ok : definitions -> split -> term -> bool
 

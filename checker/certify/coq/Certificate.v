@@ -197,6 +197,14 @@ Section Specification.
     - intros _ s Hs. apply eqs_ok in Hs. subst. constructor.
   Qed.
 
+  (* Arcs lead to nodes. *)
+  Lemma arc_node : forall n a k, (n <? nodes N) = true -> after N n a = Some k -> (k <? nodes N) = true.
+  Proof.
+    intros n a k Hn H. apply after_arc in H. destruct H as (i & Hi & Ai). pose proof (node_checked n Hn) as C. unfold check_node in C.
+    rewrite !andb_true_iff in C. destruct C as [[[_ C] _] _]. pose proof (all_below_spec _ _ C i Hi) as K. unfold check_arc in K.
+    rewrite Ai in K. destruct (a =? tau); [ discriminate |]. destruct (k <? nodes N); [ reflexivity | discriminate ].
+  Qed.
+
   Lemma run_ok : forall t n, nrun N (root N) t n ->
     (n <? nodes N) = true /\ all_members n (reach spec (init spec) t).
   Proof. intros t n H. destruct root_ok as [Hr Hm]. exact (node_reached _ _ _ H Hr [] Hm). Qed.
@@ -468,6 +476,21 @@ Section Walk.
   Qed.
 End Walk.
 
+(* Whether the check ends in this node, because the specification diverges in it. *)
+Definition stop (N : normal_form) (m : model) (n : int) : bool := match m with FD => divergent N n | _ => false end.
+
+(* The state offers all events of an acceptance of the node. If it can terminate, an acceptance contains no other event. *)
+Definition offers_acceptance {S} (N : normal_form) (P : lts S) (s : S) (n : int) : Prop :=
+  (can P s tick -> exists i, (i <? acceptance_count N n) = true /\ forall a, In a (acceptance N n i) -> a = tick) /\
+  (~ can P s tau -> ~ can P s tick ->
+    exists i, (i <? acceptance_count N n) = true /\ forall a, In a (acceptance N n i) -> can P s a).
+
+(* The process has no more behaviour than the normal form. *)
+Definition within {S} (m : model) (N : normal_form) (P : lts S) : Prop :=
+  forall t u, reach P (init P) t u ->
+    (exists n, nrun N (root N) t n /\ (m <> T -> offers_acceptance N P u n) /\ (m = FD -> ~ diverges P u)) \/
+    (exists t1 t2 n, t = t1 ++ t2 /\ nrun N (root N) t1 n /\ stop N m n = true).
+
 (** 3. The implementation has no more behaviour than the normal form. *)
 Section Implementation.
   Context {S : Type}.
@@ -478,7 +501,6 @@ Section Implementation.
   Variable m : model.
   Variable P : pairs S.
 
-  Definition stop (n : int) : bool := match m with FD => divergent N n | _ => false end.
   Definition ranked : bool := match m with FD => true | _ => false end.
 
   (* The moves offer some acceptance of the node. *)
@@ -495,13 +517,13 @@ Section Implementation.
     if a =? tau then Leads n ranked
     else match after N n a with
          | None => Forbidden
-         | Some k => if stop k then Irrelevant else Leads k false
+         | Some k => if stop N m k then Irrelevant else Leads k false
          end.
   Definition check_implementation : bool :=
-    if stop (root N) then true else walk impl eqi P event_needs refusals (root N).
+    if stop N m (root N) then true else walk impl eqi P event_needs refusals (root N).
 
   Hypothesis checked : check_implementation = true.
-  Hypothesis live : stop (root N) = false.
+  Hypothesis live : stop N m (root N) = false.
 
   Definition covering (Q : S -> int -> int -> Prop) : Prop :=
     (exists r, Q (init impl) (root N) r) /\
@@ -521,24 +543,24 @@ Section Implementation.
   Variable Q : S -> int -> int -> Prop.
   Hypothesis covers : covering Q.
 
-  Definition inv (s : S) (n : int) : Prop := stop n = false /\ exists r, Q s n r.
+  Definition inv (s : S) (n : int) : Prop := stop N m n = false /\ exists r, Q s n r.
 
   Lemma inv_step : forall s n a u, inv s n -> step impl s a u ->
     (a = tau /\ inv u n) \/
-    (a <> tau /\ exists k, after N n a = Some k /\ (stop k = true \/ inv u k)).
+    (a <> tau /\ exists k, after N n a = Some k /\ (stop N m k = true \/ inv u k)).
   Proof.
     intros s n a u (Hs & r & Hp) Hst. destruct covers as [_ C]. destruct (C s n r Hp) as [_ M].
     specialize (M a u Hst). unfold event_needs in M. destruct (a =? tau) eqn:Ea.
     - left. split; [ apply eqb_true; exact Ea |]. destruct M as (q & Hq & _). split; [ exact Hs | eauto ].
     - right. split; [ apply eqb_false_neq; exact Ea |].
       destruct (after N n a) as [k |]; [| destruct M ]. exists k. split; [ reflexivity |].
-      destruct (stop k) eqn:Hk; [ left; reflexivity | right ].
+      destruct (stop N m k) eqn:Hk; [ left; reflexivity | right ].
       destruct M as (q & Hq & _). split; [ exact Hk | eauto ].
   Qed.
 
   Lemma inv_reach : forall s t u, reach impl s t u -> forall n, inv s n ->
     (exists k, nrun N n t k /\ inv u k) \/
-    (exists t1 t2 k, t = t1 ++ t2 /\ nrun N n t1 k /\ stop k = true).
+    (exists t1 t2 k, t = t1 ++ t2 /\ nrun N n t1 k /\ stop N m k = true).
   Proof.
     induction 1 as [s | s u t v Hst Hr IH | s a u t v Ha Hst Hr IH]; intros n Hn.
     - left. exists n. split; [ constructor | exact Hn ].
@@ -552,20 +574,18 @@ Section Implementation.
           apply (nrun_step N n a k); assumption.
   Qed.
 
-  Lemma inv_refuses : forall s n (X : ev -> Prop), m <> T -> inv s n -> refuses impl s X ->
-    exists i, (i <? acceptance_count N n) = true /\ forall a, In a (acceptance N n i) -> ~ X a.
+  Lemma inv_offers : forall s n, m <> T -> inv s n -> offers_acceptance N impl s n.
   Proof.
-    intros s n X Hm (Hs & r & Hp) HX. destruct covers as [_ K0]. destruct (K0 s n r Hp) as [C0 _].
+    intros s n Hm (Hs & r & Hp). destruct covers as [_ K0]. destruct (K0 s n r Hp) as [C0 _].
     assert (C : refusals_ok n (succ impl s) = true) by (unfold refusals in C0; destruct m; [ congruence | exact C0 | exact C0 ]).
-    unfold refusals_ok in C. cbn zeta in C.
-    set (i := choose P n (succ impl s)) in C. destruct (offers (succ impl s) tick) eqn:Ot.
-    - destruct (i <? acceptance_count N n) eqn:Hi; [| discriminate]. rewrite forallb_forall in C.
-      exists i. split; [ exact Hi |]. intros a Ha Xa. specialize (C a Ha). apply eqb_true in C. subst.
-      apply offers_can in Ot. destruct HX as [[_ K] | (_ & K & _)]; auto.
-    - destruct HX as [[K _] | (Hu & _ & HX)]; [ apply offers_can in K; congruence |].
+    unfold refusals_ok in C. cbn zeta in C. set (i := choose P n (succ impl s)) in C. split.
+    - intros Ct. apply offers_can in Ct. rewrite Ct in C.
+      destruct (i <? acceptance_count N n) eqn:Hi; [| discriminate]. rewrite forallb_forall in C.
+      exists i. split; [ exact Hi |]. intros a Ha. apply eqb_true. exact (C a Ha).
+    - intros Nu Nt. destruct (offers (succ impl s) tick) eqn:Ot; [ apply offers_can in Ot; contradiction |].
       destruct (offers (succ impl s) tau) eqn:Ou; [ apply offers_can in Ou; contradiction |].
       destruct (i <? acceptance_count N n) eqn:Hi; [| discriminate]. rewrite forallb_forall in C.
-      exists i. split; [ exact Hi |]. intros a Ha Xa. specialize (C a Ha). apply offers_can in C. exact (HX a Xa C).
+      exists i. split; [ exact Hi |]. intros a Ha. apply offers_can. exact (C a Ha).
   Qed.
 
   Lemma ranked_no_divergence : m = FD -> forall z s n r, (Z.to_nat (to_Z r) < z)%nat -> Q s n r -> ~ diverges impl s.
@@ -588,6 +608,18 @@ Section Implementation.
   Proof. split; [ exact live | apply covers ]. Qed.
 End Implementation.
 
+Theorem check_within : forall S (impl : lts S) eqi, (forall x y, eqi x y = true -> x = y) ->
+  forall m N P, check_implementation impl eqi N m P = true -> within m N impl.
+Proof.
+  intros S impl eqi eqi_ok m N P H t u R. destruct (stop N m (root N)) eqn:L.
+  - right. exists [], t, (root N). split; [ reflexivity | split; [ constructor | exact L ]].
+  - destruct (covering_exists impl eqi eqi_ok N m P H L) as (Q & C).
+    destruct (inv_reach impl N m P Q C _ _ _ R _ (inv_init impl N m P L Q C)) as [(n & K & I) | K]; [ left | right; exact K ].
+    exists n. split; [ exact K | split ].
+    + intros Hm. exact (inv_offers impl N m P L Q C u n Hm I).
+    + intros Em. exact (inv_no_divergence impl N m P Q C Em u n I).
+Qed.
+
 (** 4. Both together. *)
 Section Both.
   Context {A B : Type}.
@@ -595,55 +627,35 @@ Section Both.
   Variable impl : lts B.
   Variable eqs : A -> A -> bool.
   Hypothesis eqs_ok : forall x y, eqs x y = true -> x = y.
-  Variable eqi : B -> B -> bool.
-  Hypothesis eqi_ok : forall x y, eqi x y = true -> x = y.
-
-  Definition check (m : model) N E P : bool :=
-    check_specification spec eqs N E m && check_implementation impl eqi N m P.
-
-  Theorem check_sound : forall m N E P, check m N E P = true -> refines m spec impl.
+  Theorem within_refines : forall m N E, check_specification spec eqs N E m = true -> within m N impl -> refines m spec impl.
   Proof.
-    intros m N E P H. unfold check in H. apply andb_true_iff in H. destruct H as [HS HI].
+    intros m N E HS W.
     pose proof (run_trace spec eqs eqs_ok N E m HS) as RT.
     pose proof (run_failure spec eqs eqs_ok N E m HS) as RF.
     pose proof (run_divergence spec eqs eqs_ok N E m HS) as RD.
-    assert (Plain : m <> FD -> forall n, stop N m n = false) by (destruct m; cbn; congruence).
-    assert (LIVE : stop N m (root N) = false -> exists Q : B -> int -> int -> Prop,
-              covering impl N m P Q /\
-              forall t u, reach impl (init impl) t u ->
-                (exists k, nrun N (root N) t k /\ inv N m Q u k) \/
-                (exists t1 t2 k, t = t1 ++ t2 /\ nrun N (root N) t1 k /\ stop N m k = true)).
-    { intros L. destruct (covering_exists impl eqi eqi_ok N m P HI L) as (Q & C). exists Q. split; [ exact C |].
-      intros t u R. exact (inv_reach impl N m P Q C _ _ _ R _ (inv_init impl N m P L Q C)). }
-    assert (TR : m <> FD -> exists Q : B -> int -> int -> Prop, covering impl N m P Q /\
-              forall t u, reach impl (init impl) t u -> exists k, nrun N (root N) t k /\ inv N m Q u k).
-    { intros Hm. destruct (LIVE (Plain Hm (root N))) as (Q & C & R). exists Q. split; [ exact C |]. intros t u H.
-      destruct (R t u H) as [K | (t1 & t2 & k & _ & _ & K)]; [ exact K | rewrite Plain in K by exact Hm; discriminate ]. }
+    assert (ACC : forall t u n (X : ev -> Prop), m <> T -> nrun N (root N) t n -> offers_acceptance N impl u n -> refuses impl u X ->
+              failures spec t X).
+    { intros t u n X Hm K [O1 O2] HX. destruct HX as [[Ct NX] | (Nu & Nt & HX)].
+      - destruct (O1 Ct) as (i & Hi & Ac). apply (RF t n i X Hm K Hi). intros a Ha. rewrite (Ac a Ha). exact NX.
+      - destruct (O2 Nu Nt) as (i & Hi & Ac). apply (RF t n i X Hm K Hi). intros a Ha Xa. exact (HX a Xa (Ac a Ha)). }
+    assert (Plain : m <> FD -> forall t u, reach impl (init impl) t u ->
+              exists n, nrun N (root N) t n /\ (m <> T -> offers_acceptance N impl u n)).
+    { intros Hm t u R. destruct (W t u R) as [(n & K & O & _) | (t1 & t2 & n & _ & _ & D)]; [ eauto |].
+      unfold stop in D. destruct m; congruence. }
     destruct m; cbn.
-    - destruct (TR ltac:(congruence)) as (Q & _ & R0).
-      intros t (u & R). destruct (R0 t u R) as (k & K & _). exact (RT t k K).
-    - destruct (TR ltac:(congruence)) as (Q & C & R0). split.
-      + intros t (u & R). destruct (R0 t u R) as (k & K & _). exact (RT t k K).
-      + intros t X (u & R & HX). destruct (R0 t u R) as (k & K & Iu).
-        destruct (inv_refuses impl N F P Q C u k X ltac:(congruence) Iu HX) as (i & Hi & HAX).
-        exact (RF t k i X ltac:(congruence) K Hi HAX).
-    - destruct (stop N FD (root N)) eqn:L.
-      { assert (D : forall t, divergences spec t)
-          by (intros t; exact (RD [] t (root N) eq_refl (nrun_nil N (root N)) L)).
-        split; intros; [ apply D | right; apply D ]. }
-      destruct (LIVE eq_refl) as (Q & C & R0).
-      assert (RR : forall t u, reach impl (init impl) t u ->
-                (exists k, nrun N (root N) t k /\ inv N FD Q u k) \/ divergences spec t).
-      { intros t u R. destruct (R0 t u R) as [K | (t1 & t2 & k & Et & K & D)];
-          [ left; exact K | right; subst; exact (RD t1 t2 k eq_refl K D) ]. }
-      assert (DV : forall t, divergences impl t -> divergences spec t).
-      { intros t (t1 & t2 & u & Et & R & D). destruct (RR t1 u R) as [(k & K & Iu) | (x & y & s & E2 & R2 & D2)].
-        - exfalso. exact (inv_no_divergence impl N FD P Q C eq_refl u k Iu D).
-        - exists x, (y ++ t2), s. subst. rewrite app_assoc. auto. }
+    - intros t (u & R). destruct (Plain ltac:(congruence) t u R) as (n & K & _). exact (RT t n K).
+    - split.
+      + intros t (u & R). destruct (Plain ltac:(congruence) t u R) as (n & K & _). exact (RT t n K).
+      + intros t X (u & R & HX). destruct (Plain ltac:(congruence) t u R) as (n & K & O).
+        exact (ACC t u n X ltac:(congruence) K (O ltac:(congruence)) HX).
+    - assert (DV : forall t, divergences impl t -> divergences spec t).
+      { intros t (t1 & t2 & u & Et & R & D). destruct (W t1 u R) as [(n & _ & _ & ND) | (x & y & n & E2 & K & D2)].
+        - exfalso. exact (ND eq_refl D).
+        - subst. rewrite <- app_assoc. exact (RD x (y ++ t2) n eq_refl K D2). }
       split; [ exact DV |]. intros t X [(u & R & HX) | D]; [| right; exact (DV t D) ].
-      destruct (RR t u R) as [(k & K & Iu) | D]; [| right; exact D ].
-      destruct (inv_refuses impl N FD P Q C u k X ltac:(congruence) Iu HX) as (i & Hi & HAX).
-      left. exact (RF t k i X ltac:(congruence) K Hi HAX).
+      destruct (W t u R) as [(n & K & O & _) | (x & y & n & E2 & K & D2)].
+      + left. exact (ACC t u n X ltac:(congruence) K (O ltac:(congruence)) HX).
+      + right. subst. exact (RD x y n eq_refl K D2).
   Qed.
 End Both.
 

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (* Checks that steps of a compiled process are strongly confluent (docs/search.md, "Confluent taus", conditions 1 to 4),
-   and proves that the check may follow them. Any function may state which steps are followed. *)
+   and proves that they are. Any function may state which steps are followed. *)
 From Coq Require Import List Bool Arith ZArith Lia Uint63 PArray.
-From Certify Require Import Claims Processes Loops Moves Packing WholeRules Reduction.
+From Certify Require Import Claims Processes Loops Moves Packing WholeRules.
 Import ListNotations.
 Open Scope uint63_scope.
 
@@ -15,8 +15,8 @@ Fixpoint put_in (c : cube) (k : nat) (x : int) : cube :=
 
 (* The steps that are followed. Entry j says: in each state in which the components of `states_of j` have these states, the
    step by rule `follows j` is followed. After another step, the entry `entry_after` applies. `hint` returns the entries
-   by which a packed state is led to its representative. *)
-Record reduction := {
+   by which a packed state is led on. *)
+Record confluent_steps := {
   entries : int;
   follows : int -> int;
   states_of : int -> cube;
@@ -99,7 +99,7 @@ Qed.
 
 Section Confluence.
   Variable Y : system.
-  Variable C : reduction.
+  Variable C : confluent_steps.
   Variable any : bool.  (* every event is taken for a tau *)
   (* The transitions of a component in a state, by event. The list may also contain transitions with other events. *)
   Variable row_of : nat -> ev -> int -> list (ev * int).
@@ -601,175 +601,3 @@ Section Confluence.
     exact (entry_enabled s j R G HE).
   Qed.
 End Confluence.
-
-(** Packed states. *)
-(* Tables of the transitions of components: by component, by state, by the last bits of the event. *)
-Definition last_bits (e : ev) : int := e land 15.
-Definition rows_by_event (L : layout) (Y : system) : nat -> ev -> int -> list (ev * int) :=
-  let tables := map (fun k => table (size_of L k) (fun v =>
-    let l := edges Y k v in
-    if (Z.of_nat (List.length l) <? 8)%Z then fun _ => l
-    else let t := table 16 (fun b => filter (fun x : ev * int => last_bits (fst x) =? b) l) in fun e => t (last_bits e)))
-    (seq 0 (List.length (concat (groups L)))) in
-  fun k e v => match nth_error tables k with Some f => f v e | None => edges Y k v end.
-Lemma rows_by_event_ok : forall L Y k e v x, In (e, x) (rows_by_event L Y k e v) <-> In (e, x) (edges Y k v).
-Proof.
-  intros L Y k e v x. unfold rows_by_event. cbn zeta. rewrite nth_error_map.
-  destruct (nth_error (seq 0 (List.length (concat (groups L)))) k) as [i |] eqn:E; [| reflexivity ].
-  cbn [option_map]. rewrite table_spec. apply nth_error_nth with (d := 0%nat) in E as E'.
-  assert (B : (k < List.length (concat (groups L)))%nat)
-    by (rewrite <- (seq_length (List.length (concat (groups L))) 0); apply nth_error_Some; congruence).
-  rewrite seq_nth in E' by exact B. cbn in E'. subst i.
-  destruct (Z.of_nat (List.length (edges Y k v)) <? 8)%Z; [ reflexivity |]. rewrite table_spec, filter_In.
-  cbn [fst]. rewrite eqb_refl. intuition auto.
-Qed.
-
-Section Following.
-  Variable L : layout.
-  Variable Y : system.
-  Variable C : reduction.
-  Variable any : bool.
-  Let bits := concat (groups L).
-  Let n := List.length (start Y).
-  Let rows := rows_by_event L Y.
-  Let rows_ok := rows_by_event_ok L Y.
-
-  Definition cube_state (c : cube) (k : nat) : int := match local_in c k with Some v => v | None => 0 end.
-  Definition tests_of (c : cube) : list ((list int -> int) * int) := map (fun kv => (read_local L (fst kv), snd kv)) c.
-  Definition writes_of (T : nat -> ev -> int -> list (ev * int)) (R : option whole_rule) (c : cube) : list (field * int) :=
-    match R with
-    | Some R => set_all (field * int) (write_local L) (map (change_of T (cube_state c)) (items R))
-    | None => []
-    end.
-  Definition passes (tests : list ((list int -> int) * int)) (x : list int) : bool := forallb (fun t => fst t x =? snd t) tests.
-  Definition lead_on : list int -> list int :=
-    let T := rows_by_event L Y in
-    let rule_at := element (rules_of_whole Y) in
-    let rows := table (entries C) (fun j => (tests_of (states_of C j), writes_of T (rule_at (follows C j)) (states_of C j))) in
-    fun x => fold_left (fun x j =>
-      if j <? entries C then
-        let row := rows j in if passes (fst row) x then fold_left write_field (snd row) x else x
-      else x) (hint C x) x.
-  Definition unreduced : lts (list int) := if any then hidden (packed L Y) else packed L Y.
-  Definition reduced : lts (list int) := let f := lead_on in led f unreduced.
-
-  Hypothesis fine : system_ok L Y = true.
-  Hypothesis checked : confluent_ok Y C any rows = true.
-  Definition packs (s x : list int) : Prop := fits bits s = true /\ x = pack (groups L) s.
-  Definition good (x : list int) : Prop := exists s, packs s x.
-  Definition goes (x y : list int) : Prop := exists s t, packs s x /\ packs t y /\ followed Y C rows s t.
-
-  Lemma fits_n : forall s, fits bits s = true -> List.length s = n.
-  Proof.
-    intros s H. destruct (packed_bisimulation L Y fine) as (H1 & _). unfold n.
-    rewrite (fits_length _ _ H), (fits_length _ _ H1). reflexivity.
-  Qed.
-  Lemma unreduced_step : forall x b y, step unreduced x b y <->
-    exists a, (if any then b = tau else a = b) /\ step (packed L Y) x a y.
-  Proof.
-    intros x b y. unfold unreduced. destruct any.
-    - rewrite hidden_step. split; [ intros (E & a & H) | intros (a & E & H) ]; eauto.
-    - split; [ intros H; exists b; auto | intros (a & E & H); subst; exact H ].
-  Qed.
-  Lemma packed_step : forall s x a y, packs s x -> (step (packed L Y) x a y <-> exists u, packs u y /\ step (system_lts Y) s a u).
-  Proof.
-    intros s x a y [F E]. subst x. destruct (packed_bisimulation L Y fine) as (_ & H2 & H3). rewrite (H3 s F a y). split.
-    - intros (u & E & St). exists u. split; [ split; [ exact (H2 s a u F St) | exact E ] | exact St ].
-    - intros (u & [_ E] & St). eauto.
-  Qed.
-
-  Lemma good_start : good (init unreduced).
-  Proof.
-    destruct (packed_bisimulation L Y fine) as (H1 & _). exists (start Y). split; [ exact H1 |].
-    unfold unreduced. destruct any; reflexivity.
-  Qed.
-  Lemma good_next : forall x b y, good x -> step unreduced x b y -> good y.
-  Proof.
-    intros x b y (s & G) St. apply unreduced_step in St. destruct St as (a & _ & St).
-    apply (packed_step s x a y G) in St. destruct St as (u & U & _). exists u. exact U.
-  Qed.
-  Lemma goes_tau : forall x y, good x -> goes x y -> step unreduced x tau y.
-  Proof.
-    intros x y _ (s & t & Gs & Gt & F). destruct (followed_step Y C any rows rows_ok checked s t F) as (a & A & St).
-    apply unreduced_step. exists a. split.
-    - destruct any; [ reflexivity |]. destruct A as [A | A]; [ discriminate | exact A ].
-    - apply (packed_step s x a y Gs). eauto.
-  Qed.
-  Lemma goes_confluent : forall x y b z, good x -> goes x y -> step unreduced x b z ->
-    (b = tau /\ z = y) \/ exists v, step unreduced y b v /\ goes z v.
-  Proof.
-    intros x y b z _ (s & t & Gs & Gt & F) St. apply unreduced_step in St. destruct St as (a & A & St).
-    apply (packed_step s x a z Gs) in St. destruct St as (u & Gu & St).
-    destruct (square Y C any rows rows_ok checked s t a u F St) as [[K E] | (v & Sv & Fv)].
-    - left. subst u. split.
-      + destruct any; [ exact A | destruct K as [K | K]; [ discriminate | congruence ]].
-      + destruct Gu as [_ Eu]. destruct Gt as [_ Et]. congruence.
-    - right. assert (Sp : exists w, packs v w /\ step (packed L Y) y a w).
-      { exists (pack (groups L) v). destruct (packed_bisimulation L Y fine) as (_ & H2 & _).
-        assert (Gv : packs v (pack (groups L) v)) by (split; [ exact (H2 t a v (proj1 Gt) Sv) | reflexivity ]).
-        split; [ exact Gv |]. apply (packed_step t y a _ Gt). eauto. }
-      destruct Sp as (w & Gw & Sw). exists w. split; [ apply unreduced_step; exists a; auto |]. exists u, v. auto.
-  Qed.
-
-  Lemma cube_changes : forall s c its, in_cube s c -> forallb (sure Y rows c) its = true ->
-    map (change_of rows (cube_state c)) its = changes_at rows s its.
-  Proof.
-    intros s c its G H. rewrite forallb_forall in H. apply map_ext_in. intros it Hit. specialize (H it Hit).
-    unfold sure in H. destruct (Nat.ltb _ _); [| discriminate ]. destruct it as [k e | k x]; [| reflexivity ].
-    cbn [change_of]. unfold cube_state. destruct (local_in c k) as [v |] eqn:E; [| discriminate ]. rewrite (G k v E). reflexivity.
-  Qed.
-  Lemma lead_rows : forall x, good x -> exists k, row goes k x (lead_on x).
-  Proof.
-    intros x. unfold lead_on. cbn zeta.
-    assert (K : forall l x, good x -> exists k, row goes k x (fold_left (fun x j =>
-      if j <? entries C then
-        if passes (fst (table (entries C) (fun j => (tests_of (states_of C j), writes_of rows (element (rules_of_whole Y) (follows C j)) (states_of C j))) j)) x
-        then fold_left write_field (snd (table (entries C) (fun j => (tests_of (states_of C j), writes_of rows (element (rules_of_whole Y) (follows C j)) (states_of C j))) j)) x else x
-      else x) l x)); [| intros G; exact (K (hint C x) x G) ].
-    clear x. induction l as [| j l IH]; intros x G; [ exists 0%nat; constructor |]. cbn [fold_left].
-    destruct (j <? entries C) eqn:Hj; [| exact (IH x G) ]. rewrite table_spec. cbn [fst snd].
-    destruct (passes (tests_of (states_of C j)) x) eqn:PS; [| exact (IH x G) ].
-    destruct G as (s & G). destruct (entries_hold Y C any rows checked j Hj) as (R & ER & HE). rewrite ER. cbn [writes_of].
-    pose proof fine as FN. unfold system_ok in FN. rewrite !andb_true_iff in FN. destruct FN as [[[[HN _] _] HB] HEB].
-    assert (IC : in_cube s (states_of C j)).
-    { intros k v E. apply local_in_list in E. unfold passes in PS. rewrite forallb_forall in PS.
-      specialize (PS (read_local L k, v) (in_map (fun kv => (read_local L (fst kv), snd kv)) _ _ E)). cbn [fst snd] in PS.
-      apply eqb_true in PS. destruct G as [F Ex]. subst x. rewrite (read_packed L HN s F k) in PS. exact PS. }
-    pose proof HE as (HR & HA & HP & HS & _). rewrite (cube_changes s _ _ IC HS).
-    assert (F : followed Y C rows s (apply s (changes_at rows s (items R)))).
-    { split; [ exact (fits_n s (proj1 G)) |]. exists j, R. auto. }
-    destruct (followed_step Y C any rows rows_ok checked _ _ F) as (a & _ & St).
-    destruct (packed_bisimulation L Y fine) as (_ & H2 & _).
-    assert (Gt : packs (apply s (changes_at rows s (items R))) (pack (groups L) (apply s (changes_at rows s (items R)))))
-      by (split; [ exact (H2 _ _ _ (proj1 G) St) | reflexivity ]).
-    destruct G as [Fs Ex]. subst x.
-    rewrite (write_packed L HN (changes_at rows s (items R)) s Fs).
-    - destruct (IH _ (ex_intro (fun v => packs v _) _ Gt)) as (k & W). exists (S k). apply (row_more goes k _ (pack (groups L) (apply s (changes_at rows s (items R))))).
-      + exists s, (apply s (changes_at rows s (items R))). split; [ split; [ exact Fs | reflexivity ] | auto ].
-      + exact W.
-    - intros c Hc. apply (moves_bounded L Y HEB s Fs (whole Y) HB (performed R, changes_at rows s (items R)) c); [| exact Hc ].
-      apply (whole_moves Y s (whole Y) []). exists R. split; [ exact HR | split; [ reflexivity |]].
-      exact (entry_enabled Y C any rows rows_ok s j R IC HE).
-  Qed.
-
-  Theorem reduced_property_unreduced : forall p, satisfies p reduced -> satisfies p unreduced.
-  Proof.
-    exact (led_property unreduced good good_start good_next goes goes_tau goes_confluent lead_on lead_rows).
-  Qed.
-  Theorem reduced_implementation_unreduced : forall A m (spec : lts A), refines m spec reduced -> refines m spec unreduced.
-  Proof.
-    exact (led_implementation unreduced good good_start good_next goes goes_tau goes_confluent lead_on lead_rows).
-  Qed.
-End Following.
-
-(* If only deadlocks matter, steps with any event may be followed. *)
-Definition only_deadlocks (p : property) : bool := match p with Deadlock_free => true | _ => false end.
-Theorem reduced_implementation : forall L Y C A m (spec : lts A), system_ok L Y = true -> confluent_ok Y C false (rows_by_event L Y) = true ->
-  refines m spec (reduced L Y C false) -> refines m spec (packed L Y).
-Proof. intros L Y C A m spec H1 H2. exact (reduced_implementation_unreduced L Y C false H1 H2 A m spec). Qed.
-Theorem reduced_property : forall L Y C p, system_ok L Y = true -> confluent_ok Y C (only_deadlocks p) (rows_by_event L Y) = true ->
-  satisfies p (reduced L Y C (only_deadlocks p)) -> satisfies p (packed L Y).
-Proof.
-  intros L Y C p H1 H2 H. apply (reduced_property_unreduced _ _ _ _ H1 H2) in H.
-  destruct p; [ exact (hidden_deadlock_free _ _ H) | exact H | exact H ].
-Qed.

@@ -43,6 +43,14 @@ Proof. intros [|] [|] [H1 H2]; auto; symmetry; auto. Qed.
 Lemma nth_by_error : forall A (l : list A) i d, nth i l d = match nth_error l i with Some x => x | None => d end.
 Proof. induction l as [| x l IH]; intros [| i] d; cbn; auto. Qed.
 
+Fixpoint no_repetition (l : list nat) : bool :=
+  match l with [] => true | x :: l => negb (existsb (Nat.eqb x) l) && no_repetition l end.
+Lemma no_repetition_ok : forall l, no_repetition l = true -> NoDup l.
+Proof.
+  induction l as [| x l IH]; intros H; [ constructor |]. cbn in H. apply andb_true_iff in H. destruct H as [N H].
+  constructor; [| exact (IH H) ]. intros K. apply negb_true_iff in N. apply not_true_iff_false in N. apply N.
+  apply existsb_exists. exists x. split; [ exact K | apply Nat.eqb_refl ].
+Qed.
 Lemma fold_in : forall A B (f : B -> list A -> list A) (R : B -> A -> Prop),
   (forall y acc x, In x (f y acc) <-> In x acc \/ R y x) ->
   forall l acc x, In x (fold_left (fun acc y => f y acc) l acc) <-> In x acc \/ exists y, In y l /\ R y x.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (* States and proves the theorem about certificates at the term level. *)
 From Coq Require Import List Bool Lia Uint63.
-From Certify Require Import Claims Terms Processes Certificate Packing Merging Confluence Program Splitting.
+From Certify Require Import Claims Terms Processes Certificate Packing Merging Following Program Splitting.
 
 (* Check a refinement between scripts and a property of a script. How the terms are split, and all that certify_refinement
    and certify_property need, may be any data. *)

@@ -416,8 +416,6 @@ Section Split.
                         | None => false
                         | Some l => forallb (fun m => if listed.[fst m] then known k (snd m) else false) l
                         end) (states X k).
-  Fixpoint no_repetition (l : list nat) : bool :=
-    match l with [] => true | x :: l => negb (existsb (Nat.eqb x) l) && no_repetition l end.
   Definition split_ok (p : term) : bool :=
     eq_term (term_of (repeat 0 (slots X)) (whole_tree X)) p &&
     forallb (fun k => Nat.ltb k (slots X)) (leaves (whole_tree X)) && no_repetition (leaves (whole_tree X)) &&
@@ -691,12 +689,6 @@ Lemma update_either : forall (s : list int) j k x,
   nth k (update s j x) 0 = nth k s 0 \/ (k = j /\ nth k (update s j x) 0 = x).
 Proof.
   induction s as [| y s IH]; intros [| j] [| k] x; cbn; auto. destruct (IH j k x) as [E | [E F]]; auto.
-Qed.
-Lemma no_repetition_ok : forall l, no_repetition l = true -> NoDup l.
-Proof.
-  induction l as [| x l IH]; intros H; [ constructor |]. cbn in H. apply andb_true_iff in H. destruct H as [N H].
-  constructor; [| exact (IH H) ]. intros K. apply negb_true_iff in N. apply not_true_iff_false in N. apply N.
-  apply existsb_exists. exists x. split; [ exact K | apply Nat.eqb_refl ].
 Qed.
 
 Section Both_ways.

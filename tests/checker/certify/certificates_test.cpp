@@ -362,6 +362,40 @@ TEST(Certificates, AreCheckedWithFewerPairsIfTausAreConfluent) {
         << ran.out;
 }
 
+/// Five equal robots of two states, also with a component each beside them and priorities around them. The check visits
+/// one of the states that differ only by an exchange of robots: with k robots in the second state, for k from 0 to 5.
+TEST(Certificates, AreCheckedWithFewerPairsIfComponentsAreEqual) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(
+        "external prioritise\nchannel go\nchannel a, b : {1..5}\n"
+        "ROBOT(i) = a.i -> b.i -> ROBOT(i) [] go -> ROBOT(i)\n"
+        "SWARM = [| {go} |] i : {1..5} @ ROBOT(i)\nANY = a?i -> ANY [] b?i -> ANY [] go -> ANY\n"
+        "COUNTED(i) = prioritise(ROBOT(i) [| {a.i, b.i} |] ROBOT(i), <{a.i}, {go}>)\n"
+        "SOME = |~| e : {| a, b, go |} @ e -> SOME\n"
+        "FREE = a.1 -> BUSY [] a?i : {2..5} -> FREE [] b?i : {2..5} -> FREE [] go -> FREE\n"
+        "BUSY = b.1 -> FREE [] a?i : {2..5} -> BUSY [] b?i : {2..5} -> BUSY [] go -> BUSY\n"
+        "assert ANY [T= SWARM\nassert SOME [FD= SWARM\nassert SWARM :[divergence free]\n"
+        "assert ANY [T= ([| {go} |] i : {1..5} @ COUNTED(i))\nassert FREE [T= SWARM\nassert STOP [T= SWARM\n");
+    const tests::TemporaryFolder folder;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const CertificateResult result = script.certificate(i);
+        ASSERT_TRUE(result.certificate) << result.reason;
+        ASSERT_EQ(write_certificate(folder.path(), fmt::format("{}", i), *result.certificate, nullptr), "");
+    }
+    const Ran ran = certify(folder.path());
+    EXPECT_EQ(answers_in(ran.out), (std::map<std::string, bool>{
+                                       {"0", true}, {"1", true}, {"2", true}, {"3", true}, {"4", true}, {"5", false}}))
+        << ran.out;
+    for (const std::string line : {"/0: test: term level, 6 pairs, reduced by symmetry, 5 components\n",
+                                   "/1: test: term level, 6 pairs, reduced by symmetry, 5 components\n",
+                                   "/2: test: term level, 6 pairs, reduced by symmetry, 5 components\n",
+                                   "/3: test: term level, 6 pairs, reduced by symmetry, 10 components\n"})
+        EXPECT_NE(ran.out.find(line), std::string::npos) << line << ran.out;
+    // FREE distinguishes one robot, so only the other four are exchanged.
+    EXPECT_NE(ran.out.find("/4: test: term level, 10 pairs, reduced by symmetry, 5 components\n"), std::string::npos)
+        << ran.out;
+}
+
 /// The file with the theorem needs only Coq, no other files.
 TEST(Certificates, BecomeTheoremsOfCoq) {
     if (certifier.empty()) GTEST_SKIP() << no_certifier;

@@ -100,13 +100,43 @@ drops = [
     ("entry_ok", "components of the rule", r"if forallb \(spared c row_of j r c0\)\s+\(near \(item_slot it\)\)", "if true"),
     ("entry_ok", "regions around", r"then forallb \(spared c row_of j r c0\)\s+\(around_of \(item_slot it\)\)", "then true"),
     ("passes", "states", r"eqb \(fst t x\) \(snd t\)", "true"),
-    ("reduction_ok", "entries", r"confluent_ok z0 r0 any \(rows_by_event h\.packs z0\)", "true"),
+    ("reduction_holds", "followed steps", r"confluent_ok y c any \(rows_by_event l y\)", "true"),
+    ("reduction_holds", "automorphisms", r"automorphism_ok y \(size_of l\) g", "true"),
+    ("reduction_holds", "plain process", r"\(plain y\)", "true"),
+    ("plain", "no assignments", r"\(silent y\.whole\)", "true"),
+    ("plain", "different components", r"\(no_repetition \(slots_of y\.whole\)\)", "true"),
+    ("names_ok", "tau", r"\(same_test a b tau\)", "true"),
+    ("names_ok", "tick", r"\(same_test a b tick\)", "true"),
+    ("pull_ok", "source is moved", r"\(existsb \(\(=\) p\.source0\) \(map fst g\.pulls\)\)", "true"),
+    ("pull_ok", "bound of states", r"\(ltb0 w \(size_of0 j\)\)", "true"),
+    ("pull_ok", "restored events", r"\(forallb \(fun e -> eqb [^\n]*\) l\)", "true"),
+    ("pull_ok", "transitions", r"\(equal_edges \(rename_edges p l\) \(y\.edges j w\)\)", "true"),
+    ("corresponds", "level", r"\(same_level q\.level q'\.level\)", "true"),
+    ("corresponds", "event", r"\(eqb q'\.does \(new_name m q\.does\)\)", "true"),
+    ("corresponds", "old event", r"\(eqb q\.does \(old_name m q'\.does\)\)", "true"),
+    ("corresponds", "different participants", r"\(no_repetition \(map fst q'\.asks\)\)", "true"),
+    ("corresponds", "number of requirements", r"\(\(<=\) \(length q\.asks\) \(length q'\.asks\)\)", "true"),
+    ("corresponds", "restored requirements", r"\(eqb\s+\(old_name_at [^\n]*\)\s+\(snd a\)\)", "true"),
+    ("corresponds", "requirements", r"if \(=\) \(fst c\) \(fst b\) then eqb \(snd c\) \(snd b\) else false", "true"),
+    ("rules_correspond", "images of rules", r"\(all_numbered \(fun i q ->[^&]*? rules\)", "true"),
+    ("rules_correspond", "rules of images", r"\(all_numbered \(fun i q' ->[^&]*? rules'\)", "true"),
+    ("maps", "components", r"\(\(=\) \(pull_at g j\)\.source0 k\)", "true"),
+    ("maps", "inner regions", r"maps0 q \(deeper m i\) q'", "true"),
+    ("maps", "rules", r"\(rules_correspond g m parts to_ rules rules'\)", "true"),
+    ("automorphism_ok", "targets", r"\(no_repetition \(map fst g\.pulls\)\)", "true"),
+    ("automorphism_ok", "sources", r"\(no_repetition \(map \(fun x -> \(snd x\)\.source0\) g\.pulls\)\)", "true"),
+    ("indifferent_node", "arcs", r"\| Some j -> eqb j k\s+\| None -> false", "| _ -> true"),
+    ("indifferent_node", "acceptances", r"then forallb \(among \(n\.acceptance n0 i\) f\) \(n\.acceptance n0 j\)", "then true"),
 ]
 
 
-# The attacks with forged reductions alone notice conditions in these functions.
+# The attacks with forged automorphisms alone notice conditions in these functions.
+of_symmetry = {"reduction_holds", "plain", "names_ok", "pull_ok", "corresponds", "rules_correspond", "maps", "automorphism_ok",
+               "indifferent_node"}
+
+# The attacks with forged steps alone notice conditions in these functions.
 of_reductions = {"sure", "determined", "impossible", "overrules", "commutes", "undisturbed", "leaves", "implies_cube", "continues",
-                 "spared", "entry_ok", "passes", "reduction_ok"}
+                 "spared", "entry_ok", "passes"}
 
 # Random attacks have not noticed that one of these is dropped. The proof in Coq needs them.
 open_conditions = {"overrules: same region", "commutes: assigned by the other rule", "leaves: unchanged", "continues: rule", "spared: regions",
@@ -124,7 +154,7 @@ def without(text, function, pattern, replacement):
 
 def noticed_by(folder, condition, most):
     """The number of trials after which the attack notices that the condition is dropped; none if it does not."""
-    function, _, pattern, replacement = condition
+    function, name, pattern, replacement = condition
     verified = (certifier / "verified.ml").read_text()
     copy = folder / "checker" / "certify" / "certifier"
     subprocess.run(["rm", "-rf", folder / "checker"], check=True)
@@ -133,7 +163,9 @@ def noticed_by(folder, condition, most):
     subprocess.run(["cp", "-r", certifier.parent / "coq", copy.parent / "coq"], check=True)
     (copy / "verified.ml").write_text(without(verified, function, pattern, replacement))
     subprocess.run(["sh", copy / "build.sh", folder, here / "attack.ml", "attack"], check=True)
-    alone = ["reductions"] if function in of_reductions else []
+    alone = ["symmetry"] if function in of_symmetry else []
+    if function in of_reductions or name == "followed steps":
+        alone = ["reductions"]
     seed, trials = 1, 100
     while seed * 100 <= most:
         if subprocess.run([folder / "attack", str(seed), str(trials), *alone], capture_output=True).returncode != 0:
