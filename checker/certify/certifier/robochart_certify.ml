@@ -106,7 +106,7 @@ let print_theorem folder ~most =
       prerr_endline "robochart-certify: the certificate is too large for the Coq form";
       exit 1
 
-let () = Gc.set { (Gc.get ()) with space_overhead = 200 }
+let () = Gc.set { (Gc.get ()) with space_overhead = 50 }
 
 type action = Check | Answer | Coq
 

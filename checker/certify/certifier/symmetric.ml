@@ -8,9 +8,11 @@ type 'a array = 'a Array.t
 
 let mix = Search.mix
 
-(* Larger processes are searched without symmetry. *)
-let most_states = 20_000 (* of a component *)
-let most_requirements = 200_000 (* of all rules *)
+(* Processes with more requirements in all rules are searched without symmetry. *)
+let most_requirements = 200_000
+
+(* Components with more transitions are not exchanged. *)
+let most_transitions = 50_000
 
 (* The search for exchanges ends when it and the check have examined so many requirements. *)
 let most_work = 50_000_000
@@ -113,6 +115,9 @@ let shape_of rows start representative roles =
   let hash = List.fold_left mix edges [ roles_hash; state_number.(start); Array.length state_at; Array.length event_at ] in
   { hash; state_number; state_at; event_number; event_at }
 
+(* The shape of a component that is not exchanged. *)
+let unlike k = { hash = mix k 13; state_number = [||]; state_at = [||]; event_number = Hashtbl.create 1; event_at = [||] }
+
 (* By component: its events, each with a number that exchanges keep. It depends on the rules that require the event. *)
 let roles_of whole rows =
   let roles = Array.map (fun _ -> Hashtbl.create 16) rows in
@@ -140,7 +145,7 @@ let colour_of table e = Option.value ~default:0 (Hashtbl.find_opt table e)
 (* Returns a colour for each component, from the colours of the components that it has rules with. *)
 let refine_slots t colours =
   let result = Array.copy colours in
-  let event_number k e = Option.value ~default:(-1) (Hashtbl.find_opt t.shapes.(k).event_number e) in
+  let event_number k e = Option.value ~default:e (Hashtbl.find_opt t.shapes.(k).event_number e) in
   let rec upward node =
     let of_inner = Array.map (Option.map upward) node.inner in
     let ask (i, e) =
@@ -398,11 +403,17 @@ let instead_in (nodes : Search.node array) old_name =
 (* Returns exchanges of replicas, if there are some. `indifferent` tests the specification, if there is one. *)
 let exchanges_of (process : system) sizes representative (layout : layout) fields nodes indifferent =
   let whole = node_of process.whole in
-  if List.exists (fun size -> size > most_states) sizes || requirements whole > most_requirements || not (plain process) then None
+  if requirements whole > most_requirements || not (plain process) then None
   else
-    let rows = Array.of_list (List.mapi (fun k size -> Array.init size (process.edges k)) sizes) in
-    let roles = roles_of whole rows and start = Array.of_list process.start in
-    let shapes = Array.mapi (fun k rows -> shape_of rows start.(k) (representative k) roles.(k)) rows in
+    let start = Array.of_list process.start in
+    let sizes = Array.of_list sizes in
+    let transitions k = List.fold_left (fun n v -> n + List.length (process.edges k v)) 0 (List.init sizes.(k) Fun.id) in
+    let signatures = Array.mapi (fun k size -> (size, if size > most_transitions then 0 else transitions k)) sizes in
+    let small k = sizes.(k) <= most_transitions && snd signatures.(k) <= most_transitions in
+    let may_be_exchanged k = small k && Array.exists (fun j -> j <> k && signatures.(j) = signatures.(k)) (Array.mapi (fun j _ -> j) sizes) in
+    let rows = Array.mapi (fun k size -> if may_be_exchanged k then Array.init size (process.edges k) else [||]) sizes in
+    let roles = roles_of whole rows in
+    let shapes = Array.mapi (fun k rows -> if rows = [||] then unlike k else shape_of rows start.(k) (representative k) roles.(k)) rows in
     let t = { whole; shapes; work = 0 } in
     let size = size_of layout and arcs = Array.fold_left (fun n node -> n + Array.length node.Search.arcs) 0 nodes in
     let accepts g =

@@ -6,6 +6,7 @@
 # with 1 if one is not noticed. `dropped_conditions.py --texts` only looks for the texts in the extracted program.
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 
@@ -152,6 +153,12 @@ def without(text, function, pattern, replacement):
     return text[:start] + changed + text[stop:]
 
 
+def limit_attack():
+    """Without a condition, a search may not end. Such an attack ends by one of these limits, and so is noticed."""
+    resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+    resource.setrlimit(resource.RLIMIT_CPU, (600, 600))
+
+
 def noticed_by(folder, condition, most):
     """The number of trials after which the attack notices that the condition is dropped; none if it does not."""
     function, name, pattern, replacement = condition
@@ -168,7 +175,7 @@ def noticed_by(folder, condition, most):
         alone = ["reductions"]
     seed, trials = 1, 100
     while seed * 100 <= most:
-        if subprocess.run([folder / "attack", str(seed), str(trials), *alone], capture_output=True).returncode != 0:
+        if subprocess.run([folder / "attack", str(seed), str(trials), *alone], capture_output=True, preexec_fn=limit_attack).returncode != 0:
             return seed * trials
         seed += 1
     return None
