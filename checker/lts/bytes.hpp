@@ -19,7 +19,7 @@ private:
     std::string bytes_;
 };
 
-/// Thrown for malformed bytes.
+/// Thrown if bytes do not encode the expected data.
 class BadBytes : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -36,7 +36,7 @@ public:
     std::uint32_t read_below(std::uint64_t end);
     /// Reads any number of 32 bits.
     std::uint32_t read_word() { return read_below(std::uint64_t{1} << 32U); }
-    /// Reads how many items follow. Each item must have at least one byte.
+    /// Reads the number of items that follow. Each item must have at least one byte.
     std::size_t read_count();
     void expect_end() const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vector that grows by adding chunks. Its elements never move, so growing never needs memory for two copies of
-// them.
+// A vector that grows by adding chunks. Elements never move, so growing never needs memory for two copies of an
+// element.
 #pragma once
 
 #include <cassert>

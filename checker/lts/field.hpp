@@ -8,8 +8,8 @@
 
 namespace robochart::lts {
 
-/// The position of a value in a packed state. The value is in one word. Its lowest bit is bit `shift`, and `mask` shows
-/// how many bits it has.
+/// The position of a value in a packed state. The value is in one word. The value begins at bit `shift`, and `mask` has
+/// a one for each bit of the value.
 struct Field {
     std::uint32_t word, shift, mask;
     [[nodiscard]] std::uint32_t get(std::span<const std::uint32_t> state) const {

@@ -47,10 +47,10 @@ private:
     std::vector<Edge> edges_;
 };
 
-/// The graph of an explored system, and the states that its indices represent.
+/// The graph of an explored system, and the packed state for each state number of the graph.
 struct Exploration {
     Graph graph;
-    StateStore states;  ///< the packed state for every index
+    StateStore states;  ///< the packed states, by state number
 };
 
 /// Explores the system breadth-first from the initial state. Calls `on_state` with the number of states found so far,
@@ -60,7 +60,7 @@ struct Exploration {
 /// Returns true if the state has a tau, that is, if it is not stable.
 [[nodiscard]] bool has_tau(TransitionSystem& system, StateView state);
 
-/// Makes a graph available through the interface of transition systems.
+/// A transition system whose states and transitions come from a graph.
 class GraphSystem final : public TransitionSystem {
 public:
     GraphSystem(const Graph& graph, const EventTable& events) : graph_(graph), events_(events) {}
@@ -82,7 +82,7 @@ private:
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
 /// Writes CSPM definitions: a process `name`, and one process for each state, called `name` followed by the number of
 /// the state. The process `name` equals the graph in T, F and FD. The script must declare the channels. If a state has
-/// several taus and another event, its process starts with one further tau.
+/// several taus and another event, the process of this state starts with an additional tau.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
 /// Writes the graph in the format of Graphviz.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);

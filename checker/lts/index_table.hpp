@@ -48,8 +48,8 @@ public:
 
     IndexTable() { reset(1); }
 
-    /// Returns the slot with the number that satisfies `same`. If there is none, returns a free slot. If the table is
-    /// full, the returned slot has no bucket.
+    /// Returns the slot with the number that satisfies `same`. If no number satisfies it, returns a free slot. If the
+    /// table is full, the returned slot has no bucket.
     template <class Same>
     [[nodiscard]] Slot find(std::uint64_t hash, const Same& same) const {
         Slot slot;
@@ -69,7 +69,7 @@ public:
         return slot;
     }
     [[nodiscard]] static bool has_space(const Slot& slot) { return slot.bucket_ != nullptr; }
-    /// Stores a number in a free slot. Between finding the slot and this call, no other number may be added.
+    /// Stores a number in a free slot. After the slot was found, no other number may have been added.
     static void put_number(const Slot& slot, StateIndex index) {
         assert(!slot.taken_ && slot.place_ == slot.bucket_->used);
         slot.set(index);
@@ -92,9 +92,9 @@ public:
         return false;
     }
 
-    /// Thread-safe. Returns the slot with the number that satisfies `same`. If there is none, calls `own` and stores
-    /// the number that it returns. A thread that finds this number sees everything that was written before `own`
-    /// returned.
+    /// Thread-safe. Returns the slot with the number that satisfies `same`. If no number does, calls `own` and stores
+    /// the number that `own` returns. A thread that finds the stored number sees all data that were written before
+    /// `own` returned.
     template <class Same, class Own>
     [[nodiscard]] Slot find_or_add(std::uint64_t hash, const Same& same, const Own& own) const {
         Slot slot;
@@ -124,7 +124,7 @@ public:
     /// Prefetches the cache line that a look-up reads first.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&buckets()[home_of(hash)]); }
 
-    /// Returns how many entries the table should have at most. Above this number, look-ups become slow.
+    /// Returns the maximal number of entries with which look-ups are fast.
     [[nodiscard]] std::uint64_t capacity() const { return std::uint64_t{bucket_count_} * bucket_size * 4 / 5; }
     /// Removes all entries and allocates space for at least this many numbers.
     void reset_for_capacity(std::uint64_t numbers);
@@ -146,7 +146,7 @@ private:
             assert(matches != 0 && matches >> bucket_size == 0);
             return static_cast<std::uint32_t>(std::countr_zero(matches));
         }
-        /// The caller must have exclusive access.
+        /// No other thread may use the bucket during this call.
         void set_tag(std::uint32_t place, std::uint8_t tag);
         /// Waits until no thread is adding a number. Returns the number of used places.
         [[nodiscard]] std::uint32_t await_used_count() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores the current sink of a system. Used by systems that forward the successors of another system.
+// Stores the current sink in a system that forwards the successors of another system.
 #pragma once
 
 #include <cassert>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of visited states. Stores the packed states, all of one width, in the order of insertion. Their memory never
-// moves. A hash table finds candidates by some bits of the hash. A look-up always compares the whole state.
+// The set of visited states. Stores the packed states, all of one width, in the order of insertion. Stored states never
+// move in memory. A hash table finds candidates by some bits of the hash. A look-up always compares the whole state.
 #pragma once
 
 #include <algorithm>
@@ -36,8 +36,8 @@ public:
 
     /// Returns the approximate number of bytes that the states and their entries in the table use.
     [[nodiscard]] std::uint64_t bytes() const;
-    /// Returns how many states fit into `bytes` if each state needs `more` additional bytes elsewhere. The result is at
-    /// least 64 and at most 2^31.
+    /// Returns the number of states that fit into `bytes` if each state needs `more` additional bytes elsewhere. The
+    /// result is at least 64 and at most 2^31.
     [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
 
     // To look up many states quickly: call `hash` and `prefetch` for several of them, and look them up when the
@@ -94,7 +94,7 @@ public:
 
     /// A function that calls `piece` with 0, 1, ... count-1, in any order and concurrently.
     using Sharing = std::function<void(std::size_t count, const std::function<void(std::size_t)>& piece)>;
-    /// Returns how many states can be added before the table must grow.
+    /// Returns the number of states that can be added before the table must grow.
     [[nodiscard]] std::uint64_t free_state_count() const {
         return table_.capacity() - std::min(table_.capacity(), size_);
     }

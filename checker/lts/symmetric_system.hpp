@@ -10,8 +10,8 @@
 
 namespace robochart::lts {
 
-/// Its states are states of the original system. A transition leads to the representative of the state to which the
-/// original transition leads. Its event is the one that the source state performs, not an image of it.
+/// The states of this system are states of the original system. A transition leads to the representative of the state
+/// to which the original transition leads, and has the same event as the original transition.
 class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
 public:
     /// `symmetry` must be a symmetry of `system`, or of the system that `system` reduces.

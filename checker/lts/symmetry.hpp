@@ -18,15 +18,15 @@ namespace robochart::lts {
 /// A permutation of events: the pairs (event, image) whose elements differ, in ascending order.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// One value of a replica: where a state stores it, and its common number, which means the same in every replica. So
-/// two replicas are in the same state if and only if all their common numbers are equal.
+/// One value of a replica: the position of the value in a state, and a common number for each value, which means the
+/// same in every replica. So two replicas are in the same state if and only if all common numbers are equal.
 struct ReplicaPart {
     Field field;
     std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< value to common number
     std::shared_ptr<const std::vector<std::uint32_t>> value;   ///< common number to value
 };
 
-/// One of several equal parts of the states of a system.
+/// One of several parts of a system's states that can be exchanged.
 struct Replica {
     std::vector<ReplicaPart> parts;  ///< part i corresponds to part i of the first replica
     EventPermutation exchange;       ///< the permutation of events if this replica and the first are exchanged
@@ -35,8 +35,8 @@ struct Replica {
 /// Two or more replicas. Any two of them can be exchanged.
 using ReplicaSet = std::vector<Replica>;
 
-/// A group of automorphisms: all permutations that keep each replica in its set. They map a transition of a state to a
-/// transition of the image state, whose event is the image of the event. They do not change tau and tick.
+/// A group of automorphisms: all permutations that keep each replica in its set. An automorphism maps a transition of a
+/// state to a transition of the image state, with the image of the event. Tau and tick do not change.
 class Symmetry {
 public:
     /// For each set, a permutation p of its replicas: replica i gets the state of replica p[i].
@@ -48,8 +48,8 @@ public:
     [[nodiscard]] const std::vector<ReplicaSet>& sets() const { return sets_; }
     /// Returns the number of replicas in the largest set, or 0 if there are no sets.
     [[nodiscard]] std::size_t replicas() const;
-    /// Returns the least event to which automorphisms can map `event`. Two events have the same result if and only if
-    /// one is an image of the other.
+    /// Returns the least image of `event` under the automorphisms. Two events have the same result if and only if one
+    /// event is an image of the other event.
     [[nodiscard]] Event orbit_representative(Event event) const;
     /// Replaces a state by the representative of its images.
     void replace_by_representative(std::span<std::uint32_t> state);

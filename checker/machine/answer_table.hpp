@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Caches the results of confluence proofs. A key consists of a query and the states of the components that the query
-// reads. The table uses open addressing with linear probing (Knuth, The Art of Computer Programming 3, section 6.4). A
-// search makes several queries for each state, and a look-up usually reads only one cache line.
+// Caches the results of confluence proofs. A key consists of a query (Confluence::Tracked) and the states of the
+// components that it reads. The table uses open addressing with linear probing (Knuth, The Art of Computer Programming
+// 3, section 6.4). A search makes several queries for each state, and a look-up usually reads only one cache line.
 #pragma once
 
 #include <cassert>
@@ -15,13 +15,13 @@ class AnswerTable {
 public:
     AnswerTable() : entries_(least) {}
 
-    /// Returns the stored answer, if there is one. `query` must not be `none`.
+    /// Returns the stored answer, or no value if none is stored. `query` must not be `none`.
     [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t query, std::uint64_t key) const {
         const Entry& entry = entries_[entry_index(query, key)];
         if (entry.query == none) return std::nullopt;
         return entry.answer;
     }
-    /// Stores an answer. Replaces an earlier answer for the same key.
+    /// Stores an answer, and replaces an earlier answer for the same key.
     void store_answer(std::uint32_t query, std::uint64_t key, std::uint32_t answer);
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();

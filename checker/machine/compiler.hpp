@@ -18,7 +18,7 @@
 
 namespace robochart::machine {
 
-/// Limits of the compilation. A process that exceeds them is not compiled; it is searched as terms.
+/// Limits of the compilation. A process that exceeds a limit is not compiled, and its search visits terms.
 struct Bounds {
     std::size_t component_states = 200'000;
     std::size_t rules = 2'000'000;
@@ -26,10 +26,10 @@ struct Bounds {
     /// same.)
     std::size_t minimised_states = 50'000;
     /// A prioritise inside the process becomes one component if its components together have at most this many states.
-    /// Otherwise every state of the process would compute again which events are prevented.
+    /// Otherwise the prevented events would be computed again for every state of the process.
     std::size_t region_states = 100'000;
-    /// A compression is omitted if its operand has more states than this. If the compression permits confluent taus to
-    /// be followed, only the states that remain are counted.
+    /// A compression is omitted if its operand has more states than this. If confluent taus may be followed in the
+    /// operand, only the states that remain are counted.
     std::size_t compressed_states = 2'000'000;
     /// Whether to compress the operands of parallel operators that hide events, before they are combined (inductive
     /// compression; docs/search.md, "Compressed parts"). Preserves T, F and FD, but not the steps of a run.
@@ -38,17 +38,17 @@ struct Bounds {
     std::size_t part_states = 200'000;
 };
 
-/// Compiles processes, which are terms of one store. Keeps their components, so that a term is explored only once even
-/// if several processes contain it.
+/// Compiles processes, which are terms of one store. Keeps all components, so that a term is explored only once even if
+/// several processes contain the term.
 class Compiler {
 public:
     explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
 
-    /// Returns the compiled process, or null in four cases. (1) The process has no parallel operator, or it has few
-    /// states and reaches one only after many events. (2) A component has too many states. (3) A component cannot be
-    /// explored alone, because an evaluation fails that the whole process may never need. (4) There are too many rules.
-    /// The compiler must outlive every result of make_finer_system of the returned system. Polls the budget. Throws
-    /// process::Interrupted.
+    /// Returns the compiled process, or null in four cases. (1) The process has no parallel operator, or reaches a
+    /// parallel operator only after many events and has few states. (2) A component has too many states. (3) A
+    /// component cannot be explored alone, because an evaluation fails that the whole process may never need. (4) There
+    /// are too many rules. The compiler must outlive every result of make_finer_system of the returned system. Polls
+    /// the budget. Throws process::Interrupted.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, diagnostics::Pollable& budget);
     /// Copies the components that another compiler of the same store has explored, but no compiled processes.
     void add_components_of(const Compiler& other);
@@ -60,20 +60,20 @@ public:
     /// Returns how much smaller the compression makes the process: the product, over all compressed parts, of the
     /// number of states before the compression divided by the number after it.
     [[nodiscard]] double shrinkage() const { return shrinkage_; }
-    /// What the compiler explores, or has explored last. Used to show progress and in messages about limits.
+    /// The component that the compiler explores, or has explored last, for progress and for messages about limits.
     struct Stage {
         std::optional<TermId> component;
         std::size_t number = 0, of = 0;  ///< counted from 1
         std::size_t states = 0;          ///< states of this component found so far
     };
     [[nodiscard]] const Stage& current_stage() const { return stage_; }
-    /// Returns a machine that is equivalent to the compiled process up to `up_to`. It may leave out states from which
-    /// confluent taus are followed (reduced_system.hpp). Returns no value if the process cannot be compiled. Throws
-    /// process::TooManyStates.
+    /// Returns a machine that is equivalent to the compiled process up to `up_to`. The machine may omit states from
+    /// which confluent taus are followed (reduced_system.hpp). Returns no value if the process cannot be compiled.
+    /// Throws process::TooManyStates.
     [[nodiscard]] std::optional<process::Machine> explore(TermId term, lts::Equivalence up_to,
                                                           diagnostics::Pollable& budget);
-    /// Explores the operand of a compression. If a compression inside the operand would not remove states of the
-    /// operand, it is omitted, because the compression outside gives the same result.
+    /// Explores the operand of a compression. If the operand contains another compression that would not remove states
+    /// of the operand, this inner compression is omitted, because the outer compression gives the same result.
     [[nodiscard]] std::optional<process::Machine> explore_operand(TermId term, lts::Equivalence up_to,
                                                                   diagnostics::Pollable& budget);
 
@@ -102,13 +102,13 @@ private:
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
     std::map<TermId, ComponentPtr> components_;
-    std::set<TermId> regions_;         ///< terms of whole compiled processes that became components
+    std::set<TermId> regions_;         ///< terms of compiled processes that are now components
     std::map<TermId, bool> parts_;     ///< for each part that was tried: whether it was compressed
     std::size_t states_of_parts_ = 0;  ///< number of states of all parts before their compression
     std::size_t depth_of_parts_ = 0;
     std::size_t operands_ = 0;     ///< number of compressions whose operands are being explored
     std::set<TermId> judged_;      ///< compressed terms inside them whose parts were examined
-    std::set<TermId> kept_apart_;  ///< those whose parts are kept apart
+    std::set<TermId> kept_apart_;  ///< compressed terms whose parts are kept apart
     double shrinkage_ = 1;
     Stage stage_;
 };

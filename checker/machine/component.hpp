@@ -18,7 +18,7 @@ using process::Event;
 using process::EventSet;
 using process::TermId;
 
-/// A state of one component. `size()` represents the state "off": the component has not started, or it has ended.
+/// A state of one component. The state `size()` is "off": the component has not started, or it has ended.
 using Local = std::uint32_t;
 
 /// An explicit machine. Edges refer to events by their index in the alphabet. State 0 is the initial state.

@@ -25,17 +25,17 @@ namespace robochart::machine {
 
 /// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// A plan says which queries to skip because their proofs seldom succeed. Key: the slots of the rule's parts, and the
-/// slots that the skipped query tracks. Value: the slots to track instead. If the value is empty, nothing is tracked
-/// and the step is taken as not confluent.
+/// A plan says which queries to skip because their proofs seldom succeed. The key consists of the slots of the rule's
+/// parts and the slots that the skipped query tracks. The value contains the slots to track instead. If the value is
+/// empty, no proof is tried, and the step is not followed.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
-/// Records how much work proofs took and what they achieved. Rules with the same components are added up, because one
-/// channel gives many such rules, one for each value.
+/// Records the work of proofs and the steps that were followed because of them. Rules with the same components share an
+/// entry, because a channel has one such rule for each value.
 class ProofRecord {
 public:
-    /// The sum for all proofs that track the same components. `next`: how often each other set of components was
-    /// tracked after a failed proof.
+    /// The sums for all proofs that track the same components. `next` counts, for each other set of components, how
+    /// often it was tracked after a failed proof.
     struct Sum {
         std::uint64_t proofs = 0;  ///< number of successful proofs
         std::uint64_t looked = 0;  ///< number of states examined by proofs
@@ -56,12 +56,12 @@ private:
     std::map<Key, Sum> sums_;
 };
 
-/// Returns true if steps by this rule may be followed: it has a suitable event. In all regions of the rule, the event
-/// must have the first level (condition 1).
+/// Returns true if the event of the rule permits following its steps: in all regions of the rule, the event must have
+/// the first level or no level (condition 1).
 [[nodiscard]] bool is_candidate(const WholeRule& rule, lts::Followed followed);
 
 /// Proves that steps are confluent, and caches the results. A proof only uses the rule of the step and the states of
-/// the components that its query tracks. Earlier queries do not change an answer.
+/// the components that its query tracks. So the order of queries does not change an answer.
 class Confluence {
 public:
     /// `plan` must come from a system with the same rules. It affects which steps are followed.
@@ -88,7 +88,7 @@ private:
     /// can perform that event. The list for an event is computed when a proof first finds this event in a
     /// state.
     using Asking = std::vector<std::unordered_map<std::uint32_t, std::vector<RuleNumber>>>;
-    /// A query: is the rule confluent if only the states of these components are known? With statistics of its proofs.
+    /// A query (is the rule confluent if only these components are known?), with the statistics of its proofs.
     struct Tracked {
         RuleNumber rule = 0;
         Slots slots;                         ///< ascending: the rule's parts, and further components
@@ -98,7 +98,7 @@ private:
         std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
         std::map<std::uint32_t, std::uint64_t> next;  ///< how often each other query followed a failed proof
     };
-    /// The states that other rules can reach, and which rule leads to each of them.
+    /// The states to which other rules lead, and the rule for each of these states.
     struct Outcomes {
         std::vector<Local> states;  ///< states of all components, one after the other
         std::vector<RuleNumber> by;
@@ -142,7 +142,7 @@ private:
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
     ProofPlan plan_;
-    // By slot and event: in which fraction of its states the component can perform the event.
+    // By slot and event: the fraction of the component's states in which the event is possible.
     std::vector<std::vector<double>> share_;
     std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the candidates listed for them
     // By slot and state: the index of the list in lists_, plus one. 0 if the list has not been made yet.

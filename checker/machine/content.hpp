@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the content of a compiled process: all data that determine its transitions. It does not depend on the
-// session that compiled the process, and does not include the terms of states. Processes with equal content have equal
+// Computes the content of a compiled process: all data that determine its transitions. The content does not depend on
+// the session that compiled the process, and contains no terms of states. Processes with equal content have equal
 // packed states, and searches of them give equal results.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace robochart::machine {
 
-/// Numbers events by their index in an ascending list. Two sessions may give an event different numbers. As long as
-/// both order the events in the same way, they compute the same content.
+/// Numbers events by their index in an ascending list. An event may have different numbers in two sessions. If both
+/// sessions order the events in the same way, they compute the same content.
 class EventPlaces {
 public:
     /// `named` must be ascending.

@@ -15,8 +15,8 @@
 namespace robochart::machine {
 
 /// Exchanges the components of two ranges of slots: the first with the first, the second with the second, and so on.
-/// Other components do not change. The shapes number the states and events of each component; states or events with
-/// equal numbers are mapped to each other.
+/// Other components do not change. Each shape numbers the states and events of a component. The exchange maps states or
+/// events with equal numbers to each other.
 class Exchange {
 public:
     /// `shapes` contains the shape of each component in the two ranges, by slot. The ranges must be disjoint and
@@ -24,8 +24,8 @@ public:
     Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
              SlotRange second);
 
-    /// Returns the events that the exchange maps to other events, or no value if the exchange is no automorphism. Polls
-    /// the budget for each state and each rule that it examines.
+    /// Returns the events that the exchange maps to other events, or no value if the exchange is not an automorphism.
+    /// Polls the budget for each state and each rule that it examines.
     [[nodiscard]] std::optional<lts::EventPermutation> find_exchanged_events(diagnostics::Pollable& budget);
 
 private:

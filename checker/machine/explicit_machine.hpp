@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents a component that is being built by its states and edges. Contains the functions that make it smaller.
+// Represents a component during its construction by states and edges. Contains the functions that make it smaller.
 #pragma once
 
 #include <vector>
@@ -15,10 +15,10 @@ struct ExplicitMachine {
 };
 
 /// Replaces the machine by its quotient under strong bisimilarity, which preserves every model. Removes unreachable
-/// states. A hidden event gets its name from the state that represents the others. Polls the budget.
+/// states. The name of a hidden event is that in the representative of the merged states. Polls the budget.
 void minimise(ExplicitMachine& machine, diagnostics::Pollable& budget);
 
-/// Returns the component without the edges whose events are not used. `used` says for each index in the alphabet
+/// Returns the component without the edges whose events are not used. `used` contains, for each index in the alphabet,
 /// whether the event is used.
 [[nodiscard]] ExplicitMachine without_unused(const Component& component, const std::vector<bool>& used);
 

@@ -6,7 +6,7 @@
 
 namespace robochart::machine {
 
-/// Thrown if a process exceeds the bounds of the compiler. It can still be searched as terms.
+/// Thrown if a process exceeds the bounds of the compiler. Its terms can still be searched.
 class NotCompiled : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

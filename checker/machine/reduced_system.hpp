@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reduces a compiled process. Leaves out states from which it can follow a confluent step (docs/search.md, "Confluent
+// Reduces a compiled process by omitting states from which a confluent step can be followed (docs/search.md, "Confluent
 // taus", "Deadlocks").
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace robochart::machine {
 
-/// Its states are states of the process. A transition leads to the representative of its original target. If steps with
-/// any event are followed and a state has such a step, the state has only this transition, and the event is reported as
+/// The states of this system are states of the process. A transition leads to the representative of its original
+/// target. If visible steps are followed too, a state with such a step has only this transition, with the event
 /// tau.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
-    /// `plan` says which proofs to try (Confluence).
+    /// `plan` determines which proofs are tried (Confluence).
     ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
                   std::shared_ptr<const WholeRules> rules, lts::Followed followed, ProofPlan plan);
 
@@ -40,8 +40,8 @@ public:
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// Returns the work of the proofs so far (Confluence).
     [[nodiscard]] double work_of_proofs() const { return confluence_.total_work(); }
-    /// From now on, adds each state from which a step is followed to `states`. This takes time, so it is only used to
-    /// estimate what the reduction saves.
+    /// After this call, each state from which a step is followed is added to `states`. This takes time, so the function
+    /// is only used to estimate what the reduction saves.
     void store_followed_states(lts::StateStore& states) { followed_states_ = &states; }
     /// Returns the compiled process that this system reduces.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }

@@ -28,7 +28,7 @@ struct Node {
     Op op = Op::stop;
     TermId term{};  ///< leaf, operation: its term after unfolding calls
     /// The children of an operation. For sliding choice, internal choice and prefix, the first child is the gate. All
-    /// others are operands.
+    /// other children are operands.
     std::vector<NodeId> children;
     NodeId again = 0;
     NodeId region = 0;             ///< the region that contains the node: the nearest enclosing prioritise, or the root
@@ -40,7 +40,7 @@ struct Node {
 struct Skeleton {
     std::vector<Node> nodes;
     std::vector<NodeId> slots;  ///< by component: its node
-    std::size_t prefixes = 0;   ///< number of prefixes taken apart to reach parallel operators
+    std::size_t prefixes = 0;   ///< number of prefixes split to reach parallel operators
 };
 
 /// Splits a term at its operators. Stops at the terms in `leaves`, and at terms without operators that stay. Replaces
@@ -49,7 +49,7 @@ struct Skeleton {
 ///
 /// Also searches for parallel operators after prefixes, because a process may perform events before it starts its
 /// components, or switch between modes. This fails if the prefixes never lead back to an earlier term, as in COUNT(n) =
-/// up -> COUNT(n + 1) [] go -> (A ||| B). Then no prefix of the term is split, and a subterm that begins with an event
+/// up -> COUNT(n + 1) [] go -> (A ||| B). In this case, no prefix is split, and a subterm that begins with an event
 /// becomes one component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,

@@ -10,8 +10,8 @@
 
 namespace robochart::machine {
 
-/// Returns for each rule whether its transitions may be on a cycle of taus. False is a proof: no transition of a
-/// reachable state by this rule is on such a cycle. Polls the budget.
+/// Returns for each rule whether its transitions may be on a cycle of taus. If the entry of a rule is false, it is
+/// proved that no transition by this rule in a reachable state is on such a cycle. Polls the budget.
 [[nodiscard]] std::vector<bool> rules_on_tau_cycles(const Supercombinator& combined, const WholeRules& rules,
                                                     diagnostics::Pollable& budget);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents a compiled process: component machines and rules. A rule says how events of components become an event of
-// the whole process. FDR calls this a supercombinator (Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2;
+// Represents a compiled process: component machines and rules. A rule combines events of components to an event of the
+// whole process. FDR calls this a supercombinator (Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2;
 // Gibson-Robinson et al., STTT 2016).
 #pragma once
 
@@ -26,7 +26,7 @@ struct Participant {
     std::uint32_t index = 0;  ///< number of the slot or region
 };
 
-/// The edges of a component with which a rule can start, that is, in which the component is the first participant.
+/// The edges of a component whose events begin a rule, that is, rules with this component as the first participant.
 struct Leading {
     std::vector<std::uint32_t> first;  ///< by state: its first edge; one more at the end
     std::vector<Component::Edge> edges;
@@ -43,8 +43,8 @@ struct Requirement {
     std::uint32_t event;  ///< index in the participant's alphabet
 };
 
-/// Sets the state of a component that does not take part in the event of the rule: starts the component, or turns it
-/// off.
+/// Starts a component or turns it off: the rule sets its state, although the component has no part in the rule's
+/// event.
 struct Assignment {
     std::uint32_t slot;
     Local value;
@@ -53,8 +53,8 @@ struct Assignment {
 /// A rule: if these participants perform these events together, the region performs this event.
 struct Rule {
     Event event;
-    /// The name of the event for display. If the rule hides an event, it is the name of the hidden event. If the event
-    /// is a tau of a participant, it is the name of that tau. Otherwise it is the event itself.
+    /// The event for display. If the rule hides an event, this is the hidden event. If the event is a tau of a
+    /// participant, this is the event that the participant reveals. Otherwise this is the event itself.
     Event revealed;
     std::uint32_t place;                               ///< index of the event in the region's alphabet
     std::uint32_t level;                               ///< level of the event in the region's priorities, or no_level
@@ -63,9 +63,9 @@ struct Rule {
     std::uint32_t first_assignment, end_assignment;    ///< several rules may share assignments
 };
 
-/// The rules of the operators between one prioritise and the next. Each prioritise needs a region of rules, because the
-/// operators above it may only see the events that it allows. A rule starts with the participant that can perform its
-/// event in the fewest states. So most rules that cannot fire are never examined.
+/// The rules of the operators between one prioritise and the next. Each prioritise needs a region, because the
+/// operators above it may only see the events that it allows. The first participant of a rule is the one whose event is
+/// possible in the fewest states, so most rules that cannot fire are never examined.
 struct Region {
     std::vector<Participant> participants;
     std::vector<Leading> leading;                      ///< by participant, set by list_leading; empty for regions
@@ -96,7 +96,7 @@ struct Supercombinator {
 };
 
 /// Returns the rules of a skeleton with these components. Throws NotCompiled if there are more than `most_rules` rules,
-/// or if they take more work than so many rules should. Polls the budget.
+/// or if building them takes too much work. Polls the budget.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
                                       std::vector<ComponentPtr> components, std::size_t most_rules,
                                       diagnostics::Pollable& budget);

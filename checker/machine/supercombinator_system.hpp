@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a compiled process available as a transition system.
+// Defines the transition system of a compiled process.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 
 namespace robochart::machine {
 
-/// Its states are the packed states of the components. Once its buffers have grown, it computes successors without
-/// allocating memory.
+/// A state of this system consists of the packed states of all components. When the buffers have reached their final
+/// size, successors are computed without allocating memory.
 class SupercombinatorSystem final : public lts::TransitionSystem {
 public:
     /// `terms` contains the terms to which the states of components refer.
@@ -30,8 +30,8 @@ public:
     [[nodiscard]] bool excludes_choices(diagnostics::Pollable& budget) const override;
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> make_cycle_system(
         diagnostics::Pollable& budget) const override;
-    /// A function that builds the process with components that were not minimised. Returns null if this is
-    /// impossible.
+    /// A function that builds the process from components that were not minimised, or returns null if it
+    /// cannot.
     using MakeFiner = std::function<std::unique_ptr<lts::FinerSystem>(diagnostics::Pollable&)>;
     void set_finer_system(MakeFiner make) { make_finer_ = std::move(make); }
     [[nodiscard]] std::unique_ptr<lts::FinerSystem> make_finer_system(diagnostics::Pollable& budget) const override {
@@ -43,7 +43,7 @@ public:
     void set_budget(diagnostics::Pollable& budget) override { budget_ = &budget; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
     [[nodiscard]] const std::shared_ptr<const Supercombinator>& share_combined() const { return combined_; }
-    /// Returns how many transitions of components have been examined so far to compute successors.
+    /// Returns the number of transitions of components that were examined so far to compute successors.
     [[nodiscard]] std::uint64_t examined_step_count() const { return work_; }
 
 private:
@@ -57,7 +57,7 @@ private:
         std::uint64_t state = 0;
         std::size_t from = 0, to = 0;
     };
-    /// What is known about an inner region in the current state. Its moves are computed when they are needed.
+    /// The known moves of an inner region in the current state. Moves are computed when they are needed.
     struct Moves {
         std::vector<Move> list;
         std::vector<Assignment> changes;

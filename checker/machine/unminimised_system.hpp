@@ -12,7 +12,7 @@
 
 namespace robochart::machine {
 
-/// Maps the states of a component to those of a smaller one.
+/// Maps the states of a component to the states of its minimised form.
 class StateMap {
 public:
     /// Removes the events that `minimised` does not have, minimises the result, and maps the states of the

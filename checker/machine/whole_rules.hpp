@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the rules of all regions to rules of the whole process. Such a rule describes one transition: the events of
-// all components, and the priorities that may prevent it. Proofs about transitions use these rules. Successors are
-// computed with the rules of the regions.
+// Converts the rules of all regions to rules of the whole process. A whole rule describes one transition: the events of
+// all components, and the priorities that may prevent the transition. Proofs about transitions use whole rules.
+// Successors are computed with the rules of the regions.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace robochart::machine {
 
-/// What a rule of the whole process does with the component in one slot.
+/// The effect of a rule of the whole process on the component in one slot.
 struct Part {
     std::uint32_t slot = 0;
     /// The event that the component performs, as an index in its alphabet.
@@ -31,7 +31,7 @@ struct Passage {
 /// unless a priority prevents it.
 struct WholeRule {
     Event event = process::tau;
-    std::uint32_t outermost = 0;     ///< which rule of the outermost region it uses
+    std::uint32_t outermost = 0;     ///< the rule of the outermost region that it uses
     std::uint32_t level = no_level;  ///< the level of its event in the outermost region
     std::vector<Part> parts;         ///< ascending by slot, one for each slot
     /// The regions whose priorities can prevent the rule: its event does not have their first level.
@@ -42,7 +42,7 @@ struct WholeRule {
     [[nodiscard]] const Part* find_part(std::uint32_t slot) const;
 };
 
-/// All rules, with two indexes: in which rules a component performs an event, and which rules set its state.
+/// All rules, with two indexes: the rules in which a component performs an event, and the rules that set its state.
 struct WholeRules {
     std::vector<WholeRule> rules;
     std::vector<std::vector<std::vector<std::uint32_t>>> asking;  ///< by slot and event
@@ -56,7 +56,7 @@ struct WholeRules {
 [[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, diagnostics::Pollable& budget);
 
 /// Returns the rules of each region in terms of components. For these rules, `outermost` refers to that region. Returns
-/// no value if there are too many for proofs. Polls the budget.
+/// no value if there are too many rules for proofs. Polls the budget.
 [[nodiscard]] std::optional<std::vector<std::vector<WholeRule>>> rules_of_regions(const Supercombinator& combined,
                                                                                   diagnostics::Pollable& budget);
 

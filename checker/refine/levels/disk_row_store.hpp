@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A store for more rows than fit into memory (docs/search.md, "Out of core"). Sorted files contain all closed levels.
-// Memory contains a filter over all closed levels, and rows of the open level. Rows of the open level are written as
-// sorted runs when they need too much memory. A row that the filter rejects is new. A row that the filter accepts is
-// almost certainly a duplicate. The store puts such a row aside. If it puts many rows aside, it writes them to files.
-// From time to time, and before any verdict, the store settles the rows that it has put aside: it reads all levels and
-// looks for these rows. If no level contains a row, the store has taken the row for a duplicate by mistake. If the row
-// belongs to the open level, the store adds the row to this level. Otherwise the search rolls back to the level of the
-// row.
+// A store for more rows than fit into memory (docs/search.md, "Out of core"). Sorted files contain all closed
+// levels. Memory contains a filter over all closed levels, and rows of the open level. Rows of the open level are
+// written as sorted runs when they need too much memory. A row that the filter rejects is new. A row that the filter
+// accepts is almost certainly a duplicate. The store puts an accepted row aside. If it puts many rows aside, it
+// writes them to files. From time to time, and before any verdict, the store settles the rows that it has put aside:
+// it reads all levels and looks for these rows. If no level contains a row, the row is not a duplicate. The store
+// adds such a row to the open level, if the row belongs to this level. Otherwise the search rolls back to the level
+// of the row.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ public:
         std::uint64_t most_bytes = 0;  ///< limit on the total memory, without the blocks of runs in a merge
         unsigned filter_bits = 32;     ///< maximal number of bits for each row
         /// An estimate of how many rows the store can read from files while the search handles one row. If this is 0,
-        /// the store settles rows only when it cannot avoid it.
+        /// the store settles rows only when it must.
         unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< receives the statistics at the end; may be empty
     };

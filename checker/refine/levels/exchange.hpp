@@ -14,15 +14,15 @@ namespace robochart::refine {
 
 using Words = std::vector<lts::Word>;
 
-/// Returns which rank owns a row with this hash (lts::StateStore::hash). The result is less than `ranks` and
-/// the same in every run. The hash is mixed again; otherwise the rows of a rank would fill only a part of its
-/// table.
+/// Returns the rank that owns a row with this hash (lts::StateStore::hash). The result is less than `ranks` and the
+/// same in every run. The function mixes the bits of the hash, because otherwise the rows of a rank would fill only a
+/// part of its table.
 [[nodiscard]] inline unsigned owner_of(std::uint64_t hash, unsigned ranks) {
     hash = (hash ^ hash >> 29U) * 0xBF58476D1CE4E5B9ULL;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
 }
 
-/// The messages to all ranks or from all ranks, in one block of memory.
+/// The messages to all ranks, or the messages from all ranks, in one block of memory.
 struct Messages {
     explicit Messages(unsigned ranks) : begins(ranks), sizes(ranks) {}
     [[nodiscard]] lts::StateView message_of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }
@@ -51,7 +51,7 @@ public:
     virtual void sum(std::span<std::uint64_t> values) = 0;
     /// All-gather: returns the words `own` of all ranks, at every rank. The function is intended for few words.
     [[nodiscard]] virtual std::vector<Words> gather(const Words& own) = 0;
-    /// Broadcast: replaces the bytes by those of rank 0. A rank may have to wait long. Its processor is free while it
+    /// Broadcast: replaces the bytes by those of rank 0. A rank may wait long, and uses no processor time while it
     /// waits.
     virtual void broadcast(std::string& bytes) = 0;
 
@@ -65,7 +65,7 @@ public:
     /// Returns the memory use of messages in transit.
     [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 
-    /// Records that all ranks stop their current work together (SharedWork). The next `begin_together` removes this
+    /// Records that all ranks stop their current work together (SharedWork). The next `begin_together` deletes this
     /// record.
     virtual void leave_together() { left_together_ = true; }
     virtual void begin_together() { left_together_ = false; }

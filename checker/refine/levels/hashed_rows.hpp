@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visits rows with their hashes, in batches: the processor then loads memory for several look-ups at once.
+// Visits rows and their hashes in batches, so that the processor loads memory for several look-ups at once.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part that all row stores with files have in common. Writes the levels of one rank to files, and decides
-// when to write checkpoints. Also continues a search from a checkpoint, even if another number of ranks has
-// written it.
+// The common part of all row stores with files. Writes the levels of one rank to files, and decides when to
+// write checkpoints. Also continues a search from a checkpoint, even if the earlier search had another number of
+// ranks.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@
 
 namespace robochart::refine {
 
-/// Describes where and how a search stores rows in files.
+/// The folder and the settings with which a search stores rows in files.
 struct KeptWhere {
     std::string folder;     ///< used only by this search; must exist
     storage::RowKind kind;  ///< identifies the search
@@ -34,14 +34,14 @@ struct KeptWhere {
     std::shared_ptr<const diagnostics::Descriptor> lock;
 };
 
-/// Returns the path of a file for rows besides the levels. `what`: the first part of its name.
+/// Returns the path of a file for rows that are not in level files. `what` is the first part of the name.
 [[nodiscard]] std::string path_of(const char* what, const KeptWhere& where);
 
 class KeptLevels {
 public:
     explicit KeptLevels(KeptWhere where);
 
-    /// Receives an unsure row. The row may be a duplicate of an earlier row. Otherwise it belongs to
+    /// Receives an unsure row, that is, a possible duplicate. If the row is not a duplicate, it belongs to
     /// `level`.
     using TakeUnsure = std::function<void(Level level, lts::StateView row)>;
     /// Continues from the checkpoint, if there is one. Afterwards, files() contains the levels that all ranks of the
@@ -49,7 +49,7 @@ public:
     /// Throws storage::BadFile, and the exceptions of `unsure`.
     void load_checkpoint(SearchRecord& record, const TakeUnsure& unsure);
 
-    /// Returns the number of rows in these levels at all former ranks. Returns no value if loading has not
+    /// Returns the number of rows in the loaded levels of all former ranks. Returns no value if loading has not
     /// redistributed the rows.
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const { return rows_before_; }
 

@@ -5,10 +5,10 @@
 // expands the earlier levels again.
 //
 // The result depends neither on the number of ranks nor on where rows are stored. If there are several violations at
-// the least level, the search reports the fault of a state rather than a forbidden event. Among several faults, it
+// the least level, the search reports the fault of a state rather than a forbidden event. Among faults of states, it
 // reports the fault of the least row. (Rows are compared by their words.) If a row has several predecessors, the run
 // contains the least predecessor, compared by words, then by event, then by revealed event. If a violation is found,
-// the statistics include its whole level.
+// the statistics include the whole level of the violation.
 #pragma once
 
 #include <limits>
@@ -39,7 +39,7 @@ struct LevelFinding {
 class LevelSearch {
 public:
     /// `monitor` must number its nodes in the same way at each rank. The rows of `store` have the system's width, plus
-    /// one word if the monitor has nodes. `note_taus`: whether first_divergence will be called.
+    /// one word if the monitor has nodes. `note_taus` must be true if first_divergence will be called.
     LevelSearch(lts::TransitionSystem& system, Monitor& monitor, RowStore& store, Exchange& exchange, Budget& budget,
                 bool note_taus);
     LevelSearch(const LevelSearch&) = delete;
@@ -60,8 +60,8 @@ public:
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // The following statistics cover only this rank. For each level, returns the processor time for expanding it and
-    // for entering the rows found.
+    // The following statistics cover only this rank. For each level, returns the processor time for expanding the level
+    // and for entering its successors.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
     /// Returns the number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }

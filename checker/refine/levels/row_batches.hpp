@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects rows that are to be sent to their owners.
+// Collects rows in order to send them to their owners.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ public:
     /// Sends all messages, and receives the messages of the other ranks.
     void exchange(Exchange& with);
     /// Passes the received rows one by one with their hashes to `enter(row, hash, by_tau)`. Calls `prefetch(hash)` for
-    /// several rows before the first of them is passed.
+    /// several rows before it passes the first row.
     template <class Prefetch, class Enter>
     void receive(const Prefetch& prefetch, const Enter& enter) const {
         for (unsigned rank = 0; rank < messages_.size(); ++rank) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A filter of rows. It stores some bits of the hash of each row, in buckets of one cache line. It never rejects a row
-// that was added. To stay within its memory limit, it stores fewer bits of each row when there are more rows.
+// A filter of rows, which never rejects a row that was added. The filter stores some bits of the hash of each row, in
+// buckets of one cache line. The more rows there are, the fewer bits of each row fit into the memory limit.
 //
 // A bucket consists of parts. Other bits of the hash select the part for a row. So a look-up compares the row with few
 // other rows: with less than one row on average, or with about eight rows if only 8 bits of each row are stored. The
@@ -16,8 +16,8 @@ namespace robochart::refine {
 class RowFilter {
 public:
     /// Creates a filter that stores `most_bits` (1 to 32) bits of each hash. The filter stores only 24, 16 or 8 bits in
-    /// two cases: all rows would not fit into `most_bytes` otherwise, or the expected number of rows taken for
-    /// duplicates by mistake is still negligible. If all rows would not fit with 8 bits, the filter accepts every row.
+    /// two cases: more bits would not fit into `most_bytes`, or the expected number of new rows that the filter accepts
+    /// is still negligible. If all rows would not fit with 8 bits, the filter accepts every row.
     RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
     /// Removes all rows and prepares for this many rows, and for some more if there is memory for them.

@@ -21,7 +21,7 @@ struct LevelFigures {
     std::uint64_t chased = 0;  ///< number of left-out states (lts::TransitionSystem::chased)
 };
 
-/// The data of a search besides its rows. Every checkpoint contains them.
+/// The data of a search that are not rows. Every checkpoint contains these data.
 struct SearchRecord {
     explicit SearchRecord(std::size_t width) : marks(width) {}
     std::vector<LevelFigures> expanded;  ///< by level: statistics of the rows that this rank has expanded so far
@@ -79,14 +79,14 @@ public:
     /// Returns true if there are so many unsure rows that the store should settle them now.
     [[nodiscard]] virtual bool wants_to_settle() const { return false; }
     /// Settles all unsure rows by comparing them with the closed levels. Returns no value if all unsure rows are
-    /// duplicates, that is, if each of them is in an earlier level than its own. Otherwise returns the least level to
-    /// which an unsure row belongs that is not a duplicate. The search calls this function if a rank wants to settle
-    /// its rows, and before any verdict.
+    /// duplicates, that is, if each row is in an earlier level. Otherwise returns the least level to which an unsure
+    /// row that is not a duplicate belongs. The search calls this function if a rank wants to settle its rows, and
+    /// before any verdict.
     [[nodiscard]] virtual std::optional<Level> settle_unsure_rows() { return std::nullopt; }
     /// Opens `level` again. `level` is at most the open level. The function does not remove the rows of this level. It
-    /// adds the settled rows that belong to this level, and drops later levels and unsure rows. Afterwards, the rows
-    /// that were mistaken for duplicates are stored exactly. All ranks call this function with the least level of all
-    /// ranks.
+    /// adds the settled rows that belong to this level, and drops later levels and unsure rows. After this call, the
+    /// store contains the rows that were mistaken for duplicates. All ranks call this function with the least level of
+    /// all ranks.
     virtual void roll_back_to(Level /*level*/) {}
 
     /// Returns true if it is time to write a checkpoint.

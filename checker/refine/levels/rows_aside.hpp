@@ -17,8 +17,8 @@ namespace robochart::refine {
 
 class RowsAside {
 public:
-    /// Stores as many rows in memory as fit into `bytes`, but at least a few. `path` is the path of the file while the
-    /// object creates the file.
+    /// Stores as many rows in memory as fit into `bytes`, but at least a few. `path` is the temporary path of the file
+    /// during its creation.
     RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes);
 
     /// Adds a row that belongs to `level` if it is not a duplicate. If a row is added again, its level must not be less
@@ -30,8 +30,8 @@ public:
     [[nodiscard]] std::uint64_t rows() const { return store_->size() + unwritten_row_count() + runs_.rows(); }
     [[nodiscard]] bool on_disk() const { return !runs_.empty(); }
     /// Passes all rows to `take` in pieces. A piece contains ascending rows without duplicates. The level of a row
-    /// follows the row as another word. If several pieces contain a row, the first of them has the least level. `take`
-    /// may change the piece. Does not write to the disk. Throws the exceptions of `take`, and storage::BadFile.
+    /// follows the row as another word. If several pieces contain a row, the first of these pieces has its least level.
+    /// `take` may change the piece. Does not write to the disk. Throws the exceptions of `take`, and storage::BadFile.
     void each_piece(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
     /// Removes all rows.
     void clear();

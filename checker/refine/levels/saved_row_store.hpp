@@ -12,7 +12,7 @@ namespace robochart::refine {
 
 class SavedRowStore final : public RowStore {
 public:
-    /// Creates a store. It continues from the newest checkpoint in the folder, if there is one. Throws
+    /// Creates a store. If the folder contains checkpoints, the store continues from the newest one. Throws
     /// storage::BadFile.
     explicit SavedRowStore(KeptWhere where);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Remembers the rows that a rank has sent recently, so that it does not send them again. This saves work, because
-// neighbouring rows often have the same successors. The table is small enough for the processor's cache. It forgets old
-// rows, so a rank may send a row again. This is harmless, because the owner of the row stores each row only once. The
+// neighbouring rows often have the same successors. The table fits into the processor's cache. New rows replace old
+// ones, so a rank may send a row again. This is harmless, because the owner of the row stores each row only once. The
 // table compares whole rows, so it never takes a new row for a sent row.
 #pragma once
 

@@ -17,8 +17,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Executes work in parts, one for each rank. A rank that reaches a limit or fails does no more work. It continues to
-/// take part in the communication until all ranks learn of the failure at their next sum.
+/// Executes work in parts, one for each rank. A rank that reaches a limit or fails does no more work, but it takes part
+/// in the communication until all ranks learn of the failure at their next sum.
 class SharedWork {
 public:
     explicit SharedWork(Exchange& exchange) : exchange_(exchange) {}
@@ -45,8 +45,8 @@ private:
     std::vector<std::uint64_t> values_;
 };
 
-/// Executes this rank's part, which may be empty, and continues when all ranks have finished theirs. If one part fails,
-/// all ranks throw (SharedWork::sum).
+/// Executes this rank's part, which may be empty, and returns when all ranks have finished their parts. If one part
+/// fails, all ranks throw (SharedWork::sum).
 void run_together(Exchange& exchange, const std::function<void()>& part);
 
 }  // namespace robochart::refine

@@ -25,7 +25,7 @@ struct TauCycle {
     Run loop;  ///< a shortest cycle back to the row's state
 };
 
-/// Represents one rank in the elimination. Its functions are collective.
+/// Represents one rank in the elimination. All ranks must call the same functions.
 class TauElimination {
 public:
     TauElimination(lts::TransitionSystem& system, RowStore& store, Exchange& exchange, Budget& budget, SharedWork& work,

@@ -21,11 +21,11 @@ public:
 /// Messages between threads of one program stay in its memory. All messages to another program are combined into one.
 /// Only the caller's thread calls `programs`.
 ///
-/// If threads of the program have failed, throws the exception of one of them. It prefers the exception of a thread
-/// that failed itself. The second choice is the exception of a thread that learned of another rank's failure
-/// (RankFailed), and the last choice that of a thread that lost another rank (RankLost). If all threads of this program
-/// have left the work together, all `programs` have left it together too. If a thread cannot be started, throws
-/// LimitReached; all programs have then left the work together.
+/// If threads of the program have failed, throws the exception of one of them. Exceptions of threads that failed
+/// themselves come first, then exceptions of threads that learned of another rank's failure (RankFailed), and then
+/// exceptions of threads that lost another rank (RankLost). If all threads of this program have left the work together,
+/// all `programs` have left it together too. If a thread cannot be started, throws LimitReached; all programs have then
+/// left the work together.
 void as_ranks(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work);
 /// Runs the threads of a single program as ranks.
 void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work);

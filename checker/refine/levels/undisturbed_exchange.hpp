@@ -10,7 +10,7 @@
 namespace robochart::refine {
 
 /// Forwards all calls to another exchange. During each call, this exchange holds the object that Limits::undisturbed
-/// returns. If a limit was reached during a call, it holds this object until its own destruction. At that time, all
+/// returns. If a limit was reached during a call, the exchange holds this object until its destructor. By then, all
 /// ranks have learned of the limit and written their results.
 class UndisturbedExchange final : public Exchange {
 public:
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool left_together() const override { return real_.left_together(); }
 
 private:
-    /// During the lifetime of this object, the rank waits for others.
+    /// Exists while the rank waits for other ranks.
     class Wait;
 
     Exchange& real_;

@@ -5,7 +5,7 @@
 // not longer.
 //
 // The algorithm follows Laveaux, Groote and Willemse, "Correct and efficient antichain algorithms for refinement
-// checking" (LMCS 17(1), 2021): the search tests a pair before it enters the pair. It expands an entered pair unless
+// checking" (LMCS 17(1), 2021): the search tests a pair before entering it. The search expands an entered pair unless
 // another pair on the same level or an earlier level covers it. So the run to a covering pair is not longer than the
 // run to the covered pair. Therefore shortest violations have the same length as in the search of all pairs.
 #pragma once

@@ -15,9 +15,9 @@ namespace robochart::refine {
 
 using diagnostics::LimitReached;
 
-/// When Budget::call_after may call its function.
+/// The moments at which Budget::call_after may call its function.
 enum class CallMoment : std::uint8_t {
-    any_poll,        ///< whenever any work polls the budget
+    any_poll,        ///< when any work polls the budget
     between_states,  ///< when a search calls Budget::between_states; the function may then use the searched systems
 };
 
@@ -29,7 +29,7 @@ public:
 
     /// Charges a unit of work, as charge() does.
     void poll() override { charge(); }
-    /// Charges a unit of work; expanding a state is about as much work. Throws LimitReached.
+    /// Charges a unit of work, which is about the work of expanding a state. Throws LimitReached.
     void charge() {
         if ((work_++ & 1023U) == 0) check_and_report();
     }
@@ -41,17 +41,17 @@ public:
     void check() { run_.check(); }
     /// Checks immediately whether a limit of the run is reached or the run is interrupted, and returns true if so.
     [[nodiscard]] bool limit_reached() { return !run_.reached_limit().empty(); }
-    /// Compares the number of stored states with its limit. Throws LimitReached.
+    /// Compares the number of stored states with the limit on states. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;
     [[nodiscard]] const Limits& limits() const { return limits_; }
-    /// Sets a function that fills in the statistics when progress is reported. It may be empty.
+    /// Sets a function that provides the statistics for reports of progress. The function may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
     /// Calls the function once, after the program has used this much more CPU time. The function may throw an exception
     /// to end the work that polls the budget.
     void call_after(std::chrono::duration<double> cpu_time, CallMoment moment, std::function<void()> function);
     void cancel_call();
-    /// Makes the call of call_after if it is due. A search calls this function while none of its threads uses its
+    /// Calls the function of call_after if its time has come. A search calls this while no thread uses the
     /// systems.
     void between_states() {
         if (call_is_due_) make_call();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expands pairs. It computes the successors of several consecutive pairs before it looks up any of them. Several
-// look-ups can then access memory at the same time, and several threads can compute successors.
+// Expands pairs. Computes the successors of several consecutive pairs before any successor is looked up. So several
+// look-ups can access memory at the same time, and several threads can compute successors.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ private:
     std::vector<std::uint8_t> by_tau_;
 };
 
-/// How many rows are computed before any of them is looked up. They are few enough to stay in the processor's cache.
+/// The number of rows that are computed before any row is looked up. So many rows fit into the processor's cache.
 inline constexpr std::size_t rows_at_once = 256;
 
 /// Expands pairs and passes their events to the monitor.
@@ -72,8 +72,8 @@ public:
     /// Expands pairs from `first` on, until `end` is reached, there are enough rows, or a pair has failed with an
     /// error.
     void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
-    /// Expands one more pair, whose words are given. Before the call, `out` must be cleared with the number of these
-    /// words. If the system throws an exception, the function removes the rows of the pair and passes the exception on.
+    /// Expands one more pair, whose words are given. Before the call, `out` must be cleared for rows of this width. If
+    /// the system throws an exception, the function removes the rows of the pair and passes the exception on.
     void expand(lts::StateView words, Expansion& out);
     /// After this call, the expander follows only taus.
     void follow_taus_alone() { taus_alone_ = true; }

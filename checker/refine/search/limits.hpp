@@ -40,22 +40,22 @@ struct Limits : diagnostics::Limits {
     /// Whether static proofs may replace searches, and searches may skip states by confluence and symmetry
     /// (docs/search.md). Verdicts do not depend on it.
     bool reduction = false;
-    /// Whether another search follows if a limit ends this one; partial answers are then useless.
+    /// Whether another search follows if a limit ends this search, so that partial answers are useless.
     bool first_of_two = false;
     /// The strategy of searches by levels (verdict/level_strategy.hpp). If it is null, other searches are used.
     /// Verdicts do not depend on it.
     LevelStrategy* by_levels = nullptr;
     /// With `reduction`: decides questions that a search has not decided after some time (verdict/symbolic_stage.hpp).
-    /// If it is null, the search decides alone. Verdicts do not depend on it.
+    /// If the pointer is null, the search decides alone. Verdicts do not depend on this stage.
     SymbolicStage* symbolic = nullptr;
-    /// Returns an object. During the lifetime of this object, the program does not end, even at a limit or an
-    /// interrupt. Several threads may call this function. The function may be empty.
+    /// Returns an object that keeps the program running during its lifetime, even at a limit or an interrupt. Several
+    /// threads may call this function. The function may be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
     /// Receives progress a few times a second, in the thread that called the check.
     std::function<void(const Progress&)> progress;
 };
 
-/// How an answer was found (docs/search.md, "Static proofs", "Decision diagrams").
+/// The method that found an answer (docs/search.md, "Static proofs", "Decision diagrams").
 enum class DecidedBy : std::uint8_t {
     search,            ///< states were searched
     tau_acyclic,       ///< the rules of the process exclude cycles of taus
@@ -77,8 +77,8 @@ struct Statistics {
     std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes
     double seconds = 0;
     std::uint64_t chased = 0;  ///< number of states that were omitted by following confluent steps
-    /// Size of the largest set of interchangeable components (replicas), of whose permuted states the search stores
-    /// only one; 0 if there is no such set.
+    /// Size of the largest set of interchangeable components (replicas). The search stores only one of the states that
+    /// permutations of replicas map to each other. 0 if there is no such set.
     std::uint64_t replicas = 0;
     /// Number of equal components that the assertion distinguishes, which prevents the reduction by symmetry.
     std::uint64_t distinguished = 0;

@@ -23,16 +23,16 @@ public:
 
     virtual ~Monitor() = default;
     virtual Node start() = 0;
-    /// Returns the effect of an event in this node. Every call with the same arguments must return the same effect.
+    /// Returns the effect of an event in this node. All calls with the same arguments must have the same result.
     virtual Advance advance(Node node, process::Event event) = 0;
     /// Returns the fault of a run that ends in this node and can continue with this offer. If the state is unstable,
     /// the events of the offer are unsorted. If the monitor observes only states, the offer contains one event, which
     /// represents all events.
     virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
-    /// Returns true if there is only one node. Such a monitor observes states and not runs.
+    /// Returns true if the monitor has only one node, so that it observes states and not runs.
     [[nodiscard]] virtual bool watches_states_only() const { return false; }
-    /// Returns true if every violation after `larger` is also a violation after `smaller`, with the same run or a
-    /// shorter one.
+    /// Returns true if every violation after `larger` is also a violation after `smaller`, with a run of at most the
+    /// same length.
     [[nodiscard]] virtual bool includes(Node /*larger*/, Node /*smaller*/) const { return false; }
     /// Returns a monitor with the same answers for use in another thread, or null if this is not possible.
     [[nodiscard]] virtual std::unique_ptr<Monitor> clone_for_thread() { return nullptr; }

@@ -33,9 +33,9 @@ public:
         enter_note_taus,  ///< also records targets of taus that do not lead forward
         examine           ///< looks only for faults of states, because the first forbidden event is known
     };
-    /// Processes pairs from `first` on, before `end`, and returns where it has stopped. It stops at or shortly before a
-    /// pair with a fault, an error or a forbidden event. It also stops when space runs out, or when there has been
-    /// enough work for one call.
+    /// Processes the pairs from `first` to `end` (exclusive), and returns the pair at which it has stopped. It stops at
+    /// or shortly before a pair with a fault, an error or a forbidden event. It also stops when space runs out, or when
+    /// there has been enough work for one call.
     lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
     /// Returns true if the last call stopped at a pair that it cannot process. One thread must then process the next
     /// `pairs_at_once` pairs, or all up to the end.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stores the BFS parents of states as a succinct bit vector (rank/select), with two bits for each state. States are
-// numbered in the order of discovery and expanded in the same order. So it suffices to store how many states each state
-// has found. The vector contains a one for each state found. After the ones of the states that an expanded state has
-// found, it contains a zero. So the parent of a state is the number of zeros before the one of this state.
+// numbered in the order of discovery and expanded in the same order. So it is enough to store how many states each
+// state has found. The vector contains a one for each state found. After the ones of the states that an expanded state
+// has found, it contains a zero. So the parent of a state is the number of zeros before the one of this state.
 #pragma once
 
 #include <cstdint>

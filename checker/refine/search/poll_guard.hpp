@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Charges the long work inside systems to the budget of a check.
+// Lets systems poll the budget of a check during long work.
 #pragma once
 
 #include <vector>

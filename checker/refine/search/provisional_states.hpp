@@ -62,7 +62,7 @@ public:
         claim.slot = slot;
         claim.pair = pair;
     }
-    /// Marks a claim as lost. The thread whose claim has replaced this one calls it.
+    /// Marks a claim as lost. The thread whose claim has replaced it calls this function.
     void mark_lost(std::uint32_t number) {
         std::atomic_ref((*this)[number].lost).store(true, std::memory_order_relaxed);
     }

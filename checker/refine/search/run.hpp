@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents runs of a system by exact states. Counterexamples are built from these runs.
+// Represents a run of a system by its states and events. Counterexamples are built from these runs.
 #pragma once
 
 #include <vector>

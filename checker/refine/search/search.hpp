@@ -29,9 +29,9 @@ struct Finding {
 
 class Search {
 public:
-    /// Which pairs are stored: all, or only those that no other pair covers (antichain.hpp).
+    /// The pairs that are stored: all pairs, or only those that no other pair covers (antichain.hpp).
     enum class Pairs { all, antichain };
-    /// `note_taus`: whether first_tau_cycle will be called.
+    /// `note_taus` must be true if first_tau_cycle will be called.
     Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool note_taus = false,
            Pairs pairs = Pairs::all);
 
@@ -46,7 +46,7 @@ public:
     /// pair.
     std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
     /// Returns the first pair on a tau cycle. Call it after a search that noted taus and found no violation. After a
-    /// search that reached the limit of states, it returns the first pair on a cycle that consists of visited pairs.
+    /// search that reached the limit of states, returns the first pair on a cycle of visited pairs.
     std::optional<lts::StateIndex> first_tau_cycle();
     /// Returns a shortest cycle of taus through the pair as a list of pairs. The last pair of the list is the given
     /// pair.
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] lts::StateView state(lts::StateIndex pair) const {
         return nodes_ ? pairs_[pair].subspan(1) : pairs_[pair];
     }
-    /// Returns the run along these pairs, which starts at the first of them.
+    /// Returns the run along these pairs, which starts at the first pair.
     [[nodiscard]] Run run_along(const std::vector<lts::StateIndex>& pairs, bool by_taus_alone = false);
 
     [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }

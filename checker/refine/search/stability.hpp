@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes the refusals of a state. In FDR's models the environment cannot prevent termination (UCS 6.3, 9.2: P [] SKIP
 // = P [> SKIP), so a state is stable if it has no tau and no tick. For refusals, a state with tick behaves as if a tau
-// led from it to SKIP, independently of its other offers. So it has the acceptance {✓}. No event follows tick: Ω has
-// the empty acceptance.
+// led from this state to SKIP, independently of its other offers. So it has the acceptance {✓}. No event follows tick:
+// Ω has the empty acceptance.
 #pragma once
 
 #include <algorithm>

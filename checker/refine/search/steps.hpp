@@ -14,7 +14,7 @@ namespace robochart::refine {
 /// Returns every transition of the state, in the order of the system.
 [[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state);
 [[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state, Budget& budget);
-/// Returns the offer of a state with these steps.
+/// Returns the offer of a state that has these steps.
 [[nodiscard]] Offer offer_of(const std::vector<RunStep>& steps);
 
 }  // namespace robochart::refine

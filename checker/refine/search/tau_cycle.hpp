@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds cycles in a graph whose edges are computed on demand. Takes linear time for graphs of all shapes.
+// Finds cycles in a graph whose edges are computed on demand. The algorithms take linear time for every graph.
 #pragma once
 
 #include <optional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines the kinds of faults of a run.
+// Defines the kinds of violations that a run can show.
 #pragma once
 
 namespace robochart::refine {
 
-/// The fault that the end of a run shows.
+/// The kind of violation at the end of a run.
 enum class ViolationKind {
     trace,           ///< the specification does not allow the last step's event
     refusal,         ///< the stable state at the end offers too little

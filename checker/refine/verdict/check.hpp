@@ -12,9 +12,9 @@
 
 namespace robochart::refine {
 
-/// The findings of an earlier search of the same systems. If the pointer is null, no findings are used or stored. If it
-/// points to a value, this value replaces the search: its violation is confirmed and reported like the violation of a
-/// search. If it points to an empty optional, the optional receives the findings of this search when the search is
+/// The findings of an earlier search of the same systems. If the pointer is null, no findings are used or stored. If
+/// the pointer refers to findings, the check makes no search: it confirms and reports the violation in these findings.
+/// If the pointer refers to an empty optional, the optional receives the findings of this search when the search is
 /// complete.
 using Earlier = std::optional<Findings>*;
 
@@ -27,8 +27,8 @@ using Earlier = std::optional<Findings>*;
 [[nodiscard]] Verdict divergence_free(lts::TransitionSystem&, const Limits&, Earlier earlier = nullptr);
 [[nodiscard]] Verdict deterministic(lts::TransitionSystem&, Model, const Limits&, Earlier earlier = nullptr);
 /// Checks :[has trace [M]]: the process can perform these visible events in order. In models other than T the result is
-/// inconclusive if the process could also refuse one of the events. In FD it is also inconclusive if the process could
-/// diverge. The manual does not define these results.
+/// inconclusive if the process could also refuse one of the events. In FD the result is also inconclusive if the
+/// process could diverge. FDR's manual does not define these results.
 [[nodiscard]] Verdict has_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, Model, const Limits&);
 
 }  // namespace robochart::refine

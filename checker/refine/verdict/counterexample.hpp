@@ -9,7 +9,7 @@ namespace robochart::refine {
 
 /// Returns the counterexample for a violation, with descriptions of its states. The caller must fill in `required`.
 [[nodiscard]] Counterexample make_counterexample(const Confirmed& confirmed);
-/// Adds a second run to a counterexample of determinism. This run accepts the event that the first run refuses.
+/// Adds a second run to a counterexample of determinism. The second run accepts the event that the first run refuses.
 void tell_accepting(const Confirmed& accepting, Counterexample& counterexample);
 
 }  // namespace robochart::refine

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Represents the result of a search before it is confirmed. The result can be encoded as bytes for use by another run
-// of the program.
+// Represents the result of a search before a replay confirms it. The result can be encoded as bytes for use by another
+// run of the program.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace robochart::refine {
 
-/// A violation that the search has found and that is to be confirmed.
+/// A violation that the search has found, before a replay confirms it.
 struct Violation {
     ViolationKind kind = ViolationKind::trace;
     Run run;
@@ -22,7 +22,7 @@ struct Violation {
     bool shortest = true;                 ///< false if a limit has ended the search for a shorter run
 };
 
-/// The result of a complete search. Equal systems have equal findings.
+/// The result of a complete search. Searches of equal systems have equal findings.
 struct Findings {
     Statistics statistics;
     std::optional<Violation> violation;

@@ -10,7 +10,7 @@
 
 namespace robochart::refine {
 
-/// Answers questions about the normal form of a specification. The first question visits the whole normal form.
+/// Answers questions about the normal form of a specification. The first call visits the whole normal form.
 class Indifference {
 public:
     Indifference(lts::TransitionSystem& specification, Model model, Budget& budget)

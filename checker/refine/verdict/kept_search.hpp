@@ -24,14 +24,14 @@ namespace robochart::refine {
 
 struct KeptSettings {
     std::string folder;
-    /// Whether to continue from the contents of the folder; otherwise it must be empty or missing.
+    /// Whether to continue from the contents of the folder. If false, the folder must be empty or missing.
     bool resume = false;
     bool disk = false;  ///< whether rows that do not fit into memory are stored in files
     std::chrono::milliseconds every = std::chrono::minutes(10);  ///< time between checkpoints
     /// The identity of the program, which must not be empty. Programs with the same identity compile processes to the
     /// same rows.
     std::string program;
-    /// Receives messages for the user: sentences without a full stop. It may be empty.
+    /// Receives messages for the user: sentences without a full stop. The function may be empty.
     std::function<void(const std::string&)> say;
     // For tests; see DiskRowStore::Bounds.
     std::optional<std::uint64_t> most_bytes;
@@ -39,7 +39,7 @@ struct KeptSettings {
     unsigned reads_a_step = RowKeeping{}.reads_a_step;
 };
 
-/// Manages the folder at the first rank. Another strategy executes the searches. All its ranks must see the folder.
+/// Manages the folder at the first rank. Another strategy executes the searches. All ranks must see the folder.
 class KeptSearch final : public LevelStrategy {
 public:
     /// `ranks` executes the searches and must outlive this object. Throws storage::BadFile in three cases: the folder

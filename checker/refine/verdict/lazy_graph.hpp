@@ -12,7 +12,7 @@
 
 namespace robochart::refine {
 
-/// The states of a system that is explored on demand. Their transitions are sorted by event.
+/// The states of a system that is explored on demand. The transitions of a state are sorted by event.
 class LazyGraph {
 public:
     explicit LazyGraph(lts::TransitionSystem& system, Budget& budget);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Defines searches by levels (levels/level_search.hpp). They replace the ordinary search if there are several ranks or
-// if rows are stored in files. Limits::by_levels selects the strategy. A query consists only of data, so that one
+// if rows are stored in files. Limits::by_levels selects the strategy. A question consists only of data, so that one
 // program can send it to another program.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace robochart::refine {
 
-/// What a search looks for, and where it stores its rows.
+/// The violation that a search looks for, and the place of its rows, as data.
 struct LevelQuestion {
     enum class Kind : std::uint8_t { states, deadlock, choice, refinement };
     /// `states`: the search looks for nothing and visits every state

@@ -13,11 +13,11 @@
 namespace robochart::refine {
 
 /// In F and FD, returns the fault of a state with this offer if the specification has these acceptances. Returns no
-/// value for an unstable state.
+/// value if the state is unstable.
 [[nodiscard]] std::optional<ViolationKind> refusal(const std::vector<process::EventSet>& acceptances,
                                                    const Offer& offer);
 
-/// Checks specification [M= implementation. Its nodes are the nodes of the specification's normal form.
+/// Checks specification [M= implementation. The monitor's nodes are the nodes of the specification's normal form.
 class RefinementMonitor final : public Monitor {
 public:
     RefinementMonitor(NormalForm& specification, Model model)
@@ -43,8 +43,8 @@ private:
     std::vector<const std::vector<process::EventSet>*> acceptances_;
 };
 
-/// Observes only which states are reachable. The check for deadlock (a state without transitions) uses this monitor,
-/// and so does the check for divergence alone.
+/// Observes states and not runs. Two checks use this monitor: the check for deadlock (a state without transitions), and
+/// the check for divergence alone.
 class StateMonitor final : public Monitor {
 public:
     explicit StateMonitor(bool forbid_deadlock) : forbid_deadlock_(forbid_deadlock) {}

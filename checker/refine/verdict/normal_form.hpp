@@ -34,7 +34,7 @@ public:
     /// Returns the events that the specification can perform in this node, ascending.
     process::EventSet initials(Node node);
     /// Returns the minimal acceptances of the node's states, sorted by size, then by events. Every stable behaviour in
-    /// this node accepts at least one of them. The result is empty if the node has no stable state.
+    /// this node accepts at least one of these sets. The result is empty if the node has no stable state.
     const std::vector<process::EventSet>& acceptances(Node node);
     /// Returns true if the specification can perform taus forever in this node.
     bool diverges(Node node);
@@ -44,7 +44,7 @@ public:
     /// reach are not listed.
     [[nodiscard]] std::vector<lts::StateView> states(Node node) const;
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-    /// After this call, the object throws SpecificationGrows when there are far more nodes than states.
+    /// After this call, functions throw SpecificationGrows if there are far more nodes than states.
     void refuse_growth() { may_grow_ = false; }
 
 private:

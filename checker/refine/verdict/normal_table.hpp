@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores a complete normal form as data, which ranks receive instead of the specification.
+// Stores a complete normal form as data. Ranks receive this table instead of the specification.
 #pragma once
 
 #include <memory>
@@ -32,7 +32,7 @@ inline constexpr std::size_t most_table_nodes = 1'000'000;
 [[nodiscard]] std::optional<NormalTable> table_of(NormalForm& normal, Model model,
                                                   std::size_t most_nodes = most_table_nodes);
 
-/// Gives the same answers as RefinementMonitor, but from a table.
+/// A monitor with the same answers as RefinementMonitor. It reads them from a table.
 class TableMonitor final : public Monitor {
 public:
     TableMonitor(std::shared_ptr<const NormalTable> table, Model model) : table_(std::move(table)), model_(model) {}

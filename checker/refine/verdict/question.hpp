@@ -22,7 +22,7 @@ namespace robochart::refine {
 [[nodiscard]] std::optional<Violation> reuse_or_search(Earlier earlier, Verdict& verdict,
                                                        const std::function<std::optional<Violation>()>& search);
 
-/// Adds the statistics of a search when the search ends, even if it ends by an exception.
+/// Adds the statistics of a search to a verdict when the search ends, even by an exception.
 class Tally {
 public:
     Tally(const Search& search, Statistics& statistics, const NormalForm* specification = nullptr)

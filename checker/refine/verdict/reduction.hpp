@@ -19,8 +19,8 @@ struct SearchQuestion {
     /// the function searches for a shortest violation.
     std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&, const Violation* known)>
         search;
-    /// Returns whether a state has the same answer as its images if automorphisms exchange these events. The argument
-    /// contains exchanges of at least two events.
+    /// Returns whether the answer for a state is the same as for its images if automorphisms exchange these events. The
+    /// argument contains exchanges of at least two events.
     std::function<bool(const lts::EventPermutation&)> indifferent;
     /// Whether to search for a shortest run in the whole system after a run has been found in its reduced form.
     bool shortest = true;
@@ -40,7 +40,7 @@ struct SearchQuestion {
 /// Returns true if the limits allow static proofs and the rules of the system exclude cycles of taus.
 [[nodiscard]] bool is_tau_acyclic(const lts::TransitionSystem& system, Budget& budget);
 
-/// Returns from which step on a run follows only taus (Search::first_violation).
+/// Returns the number of steps after which a run follows only taus (Search::first_violation).
 [[nodiscard]] std::uint64_t events_until(const Violation* known);
 
 }  // namespace robochart::refine

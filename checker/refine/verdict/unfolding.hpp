@@ -14,8 +14,8 @@
 
 namespace robochart::refine {
 
-/// The reductions that were applied to a system. A null member means that this reduction was not applied. Steps are
-/// followed before states are replaced by their symmetric representatives.
+/// The reductions that were applied to a system. If a member is null, its reduction was not applied. Steps are followed
+/// before states are replaced by their symmetric representatives.
 struct Reduction {
     lts::ReducedSystem* steps = nullptr;
     lts::Symmetry* symmetry = nullptr;

@@ -19,7 +19,7 @@ enum class Model { traces, failures, failures_divergences };
 /// The answer to an assertion.
 enum class Outcome { holds, fails, inconclusive };
 
-/// One step of the implementation's run.
+/// One step of a run of the implementation.
 struct Step {
     process::Event event = process::tau;
     process::Event revealed = process::tau;  ///< the hidden event of a tau, if known
