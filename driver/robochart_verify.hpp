@@ -38,7 +38,7 @@ struct Finding {
     std::optional<Place> place;  ///< no value if the finding has no place in a text
 };
 
-/// A file whose text is given instead of read.
+/// A file whose text the caller gives, so that it is not read.
 struct Text {
     std::string path;  ///< for messages; ends in .rct for a model, in .assertions for claims
     std::string text;
@@ -57,11 +57,11 @@ struct LoadOptions {
 /// The semantics in which claims are decided. A claim may be restricted to one semantics.
 enum class Semantics { both, untimed, timed };
 
-/// The limits of one check. A claim that a limit leaves undecided is inconclusive.
+/// The limits of one check. If a limit ends the decision of a claim, the claim is inconclusive.
 struct Limits {
     double seconds = 0;                  ///< limit of the whole check; 0: no limit
     double seconds_of_claim = 0;         ///< limit of each claim; 0: no limit, and claims take turns
-    std::uint64_t memory_bytes = 0;      ///< limit; 0: 16 GiB or three quarters of the machine's, whichever is less
+    std::uint64_t memory_bytes = 0;      ///< limit; 0: three quarters of the machine's memory, at most 16 GiB
     std::uint64_t states = 500'000'000;  ///< limit of each search
     unsigned threads = 0;                ///< threads of each search; 0: one for each core
 };
@@ -83,7 +83,7 @@ enum class Verdict {
     inconclusive,  ///< a limit was reached, or the question cannot be decided; the reason says why
     no_check,      ///< the claim has no check in this semantics
     error,         ///< the claim cannot be evaluated
-    not_checked,   ///< a claim of a kind that this library does not decide
+    not_checked,   ///< this library does not decide claims of this kind
     value,         ///< the claim asks for a value, and it was computed
 };
 
@@ -104,7 +104,7 @@ struct Machine {
 /// One step of a run.
 struct Step {
     std::string text;                  ///< "input a with 3", "t0: i -> S1", "time passes"
-    std::string component;             ///< the instance that performs it; "" if there is none
+    std::string component;             ///< the instance that performs the step; "" if no instance does
     std::string element;               ///< the transition, statement or event of the model; "" if unknown
     std::vector<std::string> values;   ///< the communicated values
     bool hidden = false;               ///< true if the environment cannot observe the step
@@ -130,9 +130,9 @@ struct Ground {
     std::string remedy;  ///< how to avoid this dependence; "" if there is no remedy
 };
 
-/// A value that a probabilistic claim asks for, or the truth of its bound.
+/// The value that a probabilistic claim asks for, or the truth value of the bound in the claim.
 struct Value {
-    std::map<std::string, std::string> constants;  ///< the values of its constants
+    std::map<std::string, std::string> constants;  ///< the values of the claim's constants
     std::optional<bool> truth;                     ///< truth of a bound; no value if the claim asks for a number
     double low = 0, high = 0;                      ///< bounds of the number
     bool sampled = false;                          ///< estimated by random paths, so it is not certain
@@ -144,7 +144,7 @@ struct Answer {
     std::string title;  ///< "A1 [timed] Pump is deadlock-free"
     std::optional<Place> place;
     Verdict verdict = Verdict::inconclusive;
-    std::string reason;         ///< reason of a verdict that needs one; "" otherwise
+    std::string reason;         ///< the reason, for verdicts that need one; "" otherwise
     std::vector<Ground> basis;  ///< facts on which the verdict depends besides the model
     std::optional<Run> run;     ///< the counterexample of a claim that fails
     std::string text;           ///< the same run as readable lines; "" if there is no run
@@ -160,8 +160,8 @@ struct CheckResult {
     std::vector<Finding> findings;  ///< findings about the check itself, for example about unknown claims
     std::string limit;              ///< why the check ended early; "" if it did not
 
-    /// Returns true if three conditions hold. At least one claim holds or has a value. Every other claim holds, has a
-    /// value or has no check in this semantics. No finding is an error. Informative answers are ignored.
+    /// Returns true if three conditions hold: at least one claim holds or has a value; every other claim holds, has a
+    /// value or has no check in this semantics; and no finding is an error. Informative answers are ignored.
     [[nodiscard]] bool all_hold() const;
 };
 

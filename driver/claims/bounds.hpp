@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the bounds of the finite instantiation that runs reach. At such a bound, a value is clipped, a value is chosen,
-// or a value does not belong to its type.
+// Finds the bounds of the finite instantiation that runs reach. At a bound, a value is clipped, a value is chosen, or a
+// value does not belong to its type.
 #pragma once
 
 #include <map>
@@ -42,8 +42,8 @@ private:
 };
 
 /// Finds the bounds that runs of a claim's processes reach. The search for an answer explores each component alone,
-/// with all its inputs. So it also observes bounds that no run of the whole process reaches. Therefore this class
-/// explores the states of the whole process once more, up to a limit.
+/// with all its inputs. So that search also observes bounds that no run of the whole process reaches. Therefore this
+/// class explores the states of the whole process again, up to a limit.
 class ReachedBounds {
 public:
     /// All arguments must outlive the object.
@@ -58,8 +58,8 @@ public:
     /// with the values of the carriers. A carrier contains a value beyond each literal with which a value is compared,
     /// but no value beyond other values. For example, with carriers 0..2, the condition x > y /\ y > z /\ z > 0 is
     /// never true. A condition may also have other outcomes if it reads values that are computed or converted from
-    /// inputs (semantics/data/derived_values.hpp). Similarly, times may be inputs: with x in 0..2, a wait for x is
-    /// always short. The result is empty if the user chose the carriers (--range).
+    /// inputs (semantics/data/derived_values.hpp). Times may also be inputs: with x in 0..2, a wait for x is always
+    /// short. The result is empty if the user chose the carriers (--range).
     [[nodiscard]] Basis comparisons_in(const csp_emit::Obligation& claim);
     /// Returns the basis for one process.
     [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);

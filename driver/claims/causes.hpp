@@ -14,7 +14,7 @@ namespace robochart::driver {
 /// if the cause is unknown.
 [[nodiscard]] std::string cause_of(const Project&, const cspm::EvaluationError&);
 
-/// Returns true if the reason of an evaluation error is a set that has too many elements.
+/// Returns true if an evaluation error occurred because a set has too many elements.
 [[nodiscard]] bool is_about_large_set(std::string_view reason);
 
 }  // namespace robochart::driver

@@ -19,16 +19,16 @@ struct CertifiedClaim {
     std::string title;
     std::string place;
     std::vector<const cspm::Decl*> assertions;     ///< all of them hold
-    std::vector<certify::StaysPossible> possible;  ///< all of them hold; with the assertions, they are the claim
+    std::vector<certify::StaysPossible> possible;  ///< all of them hold; the rest of the claim
 };
 
-/// Writes a certificate for each part of a claim that holds, into the folder that the settings name. Writes none if one
-/// part has no certificate. Then checks them with robochart-certify, if this program is in the folder of
-/// the current one or in PATH.
+/// Writes a certificate for each part of a claim that holds, into the folder that the settings name. Writes no
+/// certificate if one part has none. Then checks the certificates with robochart-certify, if this program is in the
+/// folder of the current program or in PATH.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
-/// Writes a certificate to its folder below `root`. If the program robochart-certify is found, the function then runs
-/// it to check the certificate.
+/// Writes a certificate to its folder below `root`. If the program robochart-certify is found, this program then checks
+/// the certificate.
 [[nodiscard]] CertificateReport write_certificate(const std::string& root, const std::string& folder,
                                                   const certify::Certificate&, diagnostics::Budget&);
 

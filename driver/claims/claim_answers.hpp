@@ -11,7 +11,7 @@
 
 namespace robochart::driver {
 
-/// Completes the answer to a claim of the project. `obligation` is the obligation of this claim. Its assertion has been
+/// Completes the answer to a claim of the project. `obligation` belongs to this claim, and its assertion has been
 /// decided in the given session.
 void complete_answer(const Project& project, const runs::Context& context, const SearchContext& search,
                      const csp_emit::Obligation& obligation, std::size_t claim, AssertionReport& report);

@@ -19,7 +19,7 @@ struct ClassProject {
     bool small_carriers = false;     ///< the replaced data have few values in the finite instantiation
 };
 
-/// Returns true if the settings choose carriers of numbers.
+/// Returns true if the settings give the carrier of a number type.
 [[nodiscard]] bool chooses_ranges(const Project& project);
 
 /// Returns true if all claims must be decided in the finite instantiation: the settings
@@ -36,11 +36,11 @@ struct ClassProject {
 struct FreeProject {
     std::unique_ptr<Project> project;  ///< null if carriers are kept, or if no data can be replaced
     std::size_t conditions = 0;        ///< number of conditions that may be true or false
-    bool has_large_carriers = false;   ///< true if it replaces data with large carriers that `classes` does not replace
+    bool has_large_carriers = false;   ///< true if it replaces data with large carriers beyond those of `classes`
 };
 [[nodiscard]] FreeProject free_project(const Project& project, const Settings& settings, const ClassProject& classes);
 /// Returns true if an answer for the free model also applies to the model, which refines the free model. An answer
-/// applies if it says that a specification allows all behaviour of the free model. It does not if it says that a run
+/// applies if a specification allows all behaviour of the free model. An answer does not apply if it says that a run
 /// exists, or that steps are possible from all states.
 [[nodiscard]] bool carries_over(const csp_emit::Obligation& obligation, Answer found);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Monitors a claim along a run: a log, or the run of a robot in a simulation. For the claim, an input occurs when it is
 // raised, and all inputs of one cycle are simultaneous (docs/claims.md, "Claims about one cycle"). So the monitor
-// collects inputs until an output or a time unit follows. It ignores inputs that a declared order drops.
+// collects inputs until an output or a time unit follows, and ignores inputs that a declared order drops.
 #pragma once
 
 #include <cstdint>
@@ -26,15 +26,15 @@ public:
     void observe(std::string_view name, bool input, const std::vector<std::string>& values, std::uint64_t line = 0);
     void tock(std::uint64_t line = 0);
     void end(std::uint64_t line = 0);
-    /// After this call, the verdict is unknown. `why` is the reason.
+    /// After this call, the verdict is unknown for the reason `why`.
     void give_up(std::string why);
 
-    /// Observes the last inputs, if the run ends within a cycle.
+    /// Ends the run, and observes its last inputs if it ends within a cycle.
     void finish() { observe_inputs(); }
 
     [[nodiscard]] bool is_broken() const { return !reasons_.empty(); }
-    /// Returns the line of the log at which the claim was broken. reasons() returns at most three sentences that
-    /// explain why.
+    /// Returns the line of the log at which the claim was violated. reasons() returns at most three sentences that
+    /// explain the violation.
     [[nodiscard]] std::uint64_t line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
     /// Returns the reason why the run does not decide the claim. Returns "" if the run decides the claim.
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const claims::CheckedClaim& claim() const { return *claim_; }
 
 private:
-    /// An event with its text in reports.
+    /// An event, and the text that describes the event in reports.
     struct Named {
         claims::Occurrence occurrence;
         std::string text;

@@ -20,12 +20,12 @@ public:
     /// All arguments must outlive the object. `classes` is the result for the same project.
     FreeData(const Project& project, const Settings& settings, const ClassProject& classes);
 
-    /// Returns false if it is known that no data can be free. Does not make the project.
+    /// Returns false if no data can be free, as far as this is known without making the project.
     [[nodiscard]] bool may_exist() const { return possible_ && (!made_ || made_->project); }
     /// Returns the project. Makes the project if it has not been made.
     [[nodiscard]] const FreeProject& project();
-    /// Returns true if carriers are so large that claims should first be decided with free data. The project with free
-    /// data is only made in this case.
+    /// Returns true if carriers are so large that claims should first be decided with free data. Only then does this
+    /// function make the project with free data.
     [[nodiscard]] bool comes_first();
 
 private:
@@ -52,11 +52,11 @@ public:
     }
 
 private:
-    /// Decides and stores the claim. Returns true if it is decided.
+    /// Decides the claim and stores its answer. Returns true if the claim is decided.
     bool decide_in(const Turn& turn, const ListedClaim& claim);
     [[nodiscard]] AssertionReport decide_alone(const Turn& turn, const ListedClaim& claim);
-    /// Decides the claim with free data. Returns true if the answer is also true of the model, and writes it to the
-    /// report.
+    /// Decides the claim with free data. If the answer also applies to the model, writes it to the report and returns
+    /// true.
     bool answer(const Turn& turn, const csp_emit::Obligation& obligation, AssertionReport& report);
     [[nodiscard]] std::optional<ListedClaim> free_claim(const csp_emit::Obligation& obligation);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects the basis of answers to probabilistic assertions. It consists of the reached bounds of the finite
+// Collects the basis of answers to probabilistic assertions. The basis consists of the reached bounds of the finite
 // instantiation for each set of constants, the constants with a chosen value, and the random paths.
 #pragma once
 

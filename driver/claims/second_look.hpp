@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explores the processes of a decided claim once more. This finds entries of the claim's basis that the search for a
-// violation misses. Skips large processes.
+// Explores the processes of a decided claim again, to find entries of the claim's basis that the search for a violation
+// misses. Skips large processes.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds conditions that read clocks. The untimed semantics assumes that the parts of a condition which read clocks are
-// true. So such conditions belong to the basis of verdicts.
+// true. So conditions that read clocks belong to the basis of verdicts.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace robochart::driver {
 
-/// The conditions that read clocks, for one untimed script.
+/// The conditions that read clocks, and their transitions, in one untimed script.
 class TakenGuards {
 public:
     /// For a timed script, the object has no conditions.

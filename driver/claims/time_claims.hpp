@@ -22,10 +22,10 @@
 
 namespace robochart::driver {
 
-/// The values that claims are about.
+/// The values for which claims are decided.
 enum class Values {
     of_project,   ///< the values of all data of the project
-    of_carriers,  ///< the values of the finite instantiation; other claims are about classes of values
+    of_carriers,  ///< the values of the finite instantiation; other claims use classes of values
 };
 
 using ClaimFilter = std::function<bool(const csp_emit::Obligation&)>;
@@ -69,9 +69,9 @@ public:
     [[nodiscard]] const std::vector<ListedClaim>& claims() const { return claims_; }
     /// Decides the claim within the turn. Until the report is stored, the results contain only the progress.
     [[nodiscard]] AssertionReport decide(const Turn& turn, const ListedClaim& claim);
-    /// Returns the report about the claim while it is undecided.
+    /// Returns the report about a claim that is still undecided.
     [[nodiscard]] const AssertionReport& undecided(const ListedClaim& claim) const { return announced_[claim.number]; }
-    /// Stores the report in the results. Returns true if the claim is decided.
+    /// Stores the report of a claim in the results. Returns true if the claim is decided.
     bool store(AssertionReport report, const ListedClaim& claim);
     /// Returns the claim together with a function that decides it within a turn.
     [[nodiscard]] static WaitingClaim waiting(const ListedClaim& claim, std::function<bool(const Turn&)> decide);
@@ -114,7 +114,7 @@ private:
     bool certifies_ = false;  ///< true if claims that hold get certificates
     std::optional<SecondLook> second_look_;
     std::size_t first_ = 0;                   ///< index of the first claim in the results
-    std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
+    std::vector<AssertionReport> announced_;  ///< the reports of the claims before their decision began
     std::vector<ListedClaim> claims_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Determines the order in which claims are decided. Every claim gets a short turn before any claim gets a long one. So
-// a claim that is never decided does not delay the others.
+// a claim that is never decided does not delay other claims.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace robochart::driver {
 /// A claim that is not decided yet.
 struct WaitingClaim {
     std::string title;
-    /// Decides the claim within limits that end with its turn. Returns true if it has an answer.
+    /// Decides the claim within limits that end with its turn. Returns true if the claim has an answer.
     std::function<bool(const Turn&)> decide;
     int rank = 0;  ///< claims with a lower rank are decided first
 };
@@ -32,7 +32,7 @@ void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContex
 /// because a single claim may have reached it.
 [[nodiscard]] bool run_is_over(const diagnostics::Budget&);
 
-/// Returns the reason for a claim that --assertion-timeout left undecided. It replaces the claim's own reason.
+/// Returns the reason for a claim that --assertion-timeout left undecided, in place of the reason `reason`.
 [[nodiscard]] std::string ended_turn(const std::string& reason, const SearchContext&);
 
 }  // namespace robochart::driver

@@ -17,7 +17,7 @@ namespace robochart::driver {
 /// Returns the hexadecimal digest of a text; different texts have different digests.
 [[nodiscard]] std::string content_digest(std::string_view text);
 
-/// A decided claim and its answer: "A1 [timed] S is deadlock-free", "holds".
+/// A decided claim and its answer, for example "A1 [timed] S is deadlock-free" and "holds".
 struct DecidedItem {
     std::string subject;
     std::string answer;

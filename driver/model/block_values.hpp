@@ -10,8 +10,8 @@
 
 namespace robochart::driver {
 
-/// Lists the constants and functions whose definitions in the timed blocks differ from those in `without_blocks`: "RC =
-/// 0 (there 1), ms(...)". Returns "" if there are none.
+/// Lists the constants and functions that timed blocks define differently from `without_blocks`. "RC = 0 (there 1),
+/// ms(...)": RC is 1 in the blocks, and the function ms differs. Returns "" if nothing differs.
 [[nodiscard]] std::string values_unlike_blocks(const Project&, const cspm::Script& without_blocks);
 
 }  // namespace robochart::driver

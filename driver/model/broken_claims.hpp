@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out which claims of a project can still be decided if other claims have errors, or components that they do not
-// use.
+// Determines the claims of a project that can still be decided if other claims, or components that these claims do not
+// use, have errors.
 #pragma once
 
 #include <map>

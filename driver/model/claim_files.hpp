@@ -50,7 +50,7 @@ void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFil
 /// Resolves the claims in the project's system. Compares the values of conditions with the finite instantiation. For
 /// claims that set constants, `carriers` contains the carriers of this instantiation.
 void check_claim_files(Project& project, ir::Carriers carriers);
-/// Resolves the claims in the model alone.
+/// Resolves the claims in the model, without an instantiation.
 void check_claim_files(Project& project, const ir::System& system);
 
 }  // namespace robochart::driver

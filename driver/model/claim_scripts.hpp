@@ -16,7 +16,7 @@ struct ShowingScript;
 /// be decided, its obligation has no assertions and contains the reason.
 void add_claims(Project& project, csp_emit::Emission& emission);
 
-/// If add_claims has added the obligation, returns the number of the claim to which it belongs. Returns no value for
+/// If add_claims has added the obligation, returns the number of the claim that it belongs to. Returns no value for
 /// other obligations. The function finds the claim by its name, because this name is unique. Obligations of swarms also
 /// have names, but add_claims is not called for projects with swarms.
 [[nodiscard]] std::optional<std::size_t> claim_of(const Project& project, const csp_emit::Obligation& obligation);

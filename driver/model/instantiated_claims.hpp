@@ -20,7 +20,7 @@ void instantiate_claims(Project& project, ir::Carriers carriers);
 /// Returns the project in which the claim is decided: the project for the constants that the claim sets, or the given
 /// project if the claim sets no constants.
 [[nodiscard]] Project& project_of(Project& project, const claims::CheckedClaim& claim);
-/// Returns true if another project decides the claim.
+/// Returns true if the claim is decided in another project.
 [[nodiscard]] bool has_own_project(const Project& project, const claims::CheckedClaim& claim);
 
 /// Returns a reason if the claim sets constants to other values than the project has. In this case, a run or the code

@@ -51,7 +51,7 @@ void add_swarm(Settings&);
 /// components.
 [[nodiscard]] bool core_wanted(const Part&, const Settings&);
 
-/// Returns true if claims are decided in this semantics.
+/// Returns true if claims are decided in this semantics according to the settings.
 [[nodiscard]] bool includes_time(Times, csp_emit::Time);
 
 /// Returns the timed or untimed semantics as a type-checked script. Diagnostics are added to the project's diagnostics.
@@ -61,8 +61,8 @@ void add_swarm(Settings&);
 
 /// Returns the components for which C++ is generated. If the name is empty, these are the modules. Without modules,
 /// they are the controllers; without modules and controllers, the machines. If the name is not empty, they are the
-/// components of any kind with this name. If `robosim` is set, RoboSim components follow. They are selected in the same
-/// way. The prefix `robochart:` or `robosim:` of a name selects one of the two notations.
+/// components of any kind with this name. If `robosim` is set, RoboSim components follow, selected in the same way. The
+/// prefix `robochart:` or `robosim:` of a name selects one of the two notations.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name,
                                                             bool robosim = false);
 
@@ -79,8 +79,8 @@ void add_swarm(Settings&);
 [[nodiscard]] std::optional<diagnostics::SourceId> load_input(diagnostics::SourceManager&, const std::string& path,
                                                               std::string& error);
 
-/// Lists the files of a folder that the user may have meant, for a message about a folder where a file is required: ";
-/// it has patrol.scenario". Returns "" if there are none.
+/// Lists files of a folder for a message that a file is required instead of the folder, as in "; it has
+/// patrol.scenario". Returns "" if the folder has no files with this ending.
 [[nodiscard]] std::string files_inside(const std::string& folder, std::string_view ending);
 
 /// Returns true if there are no errors and, if warnings are denied, no warnings.

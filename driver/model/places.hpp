@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines the places of findings about components, and about things that are missing in a model.
+// Determines the places of findings about components, and about elements that are missing in a model.
 #pragma once
 
 #include "driver/model/pipeline.hpp"

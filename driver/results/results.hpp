@@ -22,9 +22,9 @@ enum class Answer {
     holds,
     fails,
     inconclusive,
-    no_check,   ///< the claim has no check in this semantics; it is listed, but not as true
+    no_check,   ///< the claim has no check in this semantics, so the report does not call it true
     error,      ///< the claim could not be evaluated because of wrong input
-    unchecked,  ///< a claim of a kind that is not decided here, so its answer is unknown
+    unchecked,  ///< the program does not decide claims of this kind
     computed,   ///< a value was requested and computed
 };
 
@@ -33,7 +33,7 @@ enum class Answer {
 /// Returns the answer for readable reports: "holds", "FAILS".
 [[nodiscard]] std::string_view answer_word(Answer);
 
-/// The reason for claims whose decision has not begun when a limit is reached.
+/// The reason for claims that were not yet examined when a limit was reached.
 inline constexpr const char* undecided_at_limit = "it was not decided before the limit";
 
 /// Additional data of an assertion that is a core property, which is checked for every component.
@@ -124,7 +124,7 @@ struct SizeReport {
 /// Data that keep the carriers of the finite instantiation.
 struct KeptDataReport {
     std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
-    std::string reason;               ///< why they keep them, without a place
+    std::string reason;               ///< why the data keep their carriers, without a place
     std::string place;                ///< place of the reason, "model.rct:12"; "" if it has none
 };
 

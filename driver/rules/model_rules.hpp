@@ -30,8 +30,8 @@ struct JudgedRule {
     std::optional<runs::Run> run;  ///< no value if no run of the model was found
 };
 
-/// States whether time can stop in a component although its platform accepts every output and call at once. After time
-/// has stopped, no demand of a rule expires any more. Therefore the report mentions that time can stop.
+/// Whether time can stop in a component although its platform accepts every output and call at once. After time has
+/// stopped, no demand of a rule expires. Therefore the report mentions that time can stop.
 struct TimeStops {
     bool stops = false;
     std::string unknown;  ///< why it is not known; "" if it is known

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs SLEEC rules along with a log or a robot of a simulation.
+// Monitors a log, or a robot of a simulation, with SLEEC rules.
 #pragma once
 
 #include <map>

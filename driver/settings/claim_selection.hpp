@@ -10,7 +10,7 @@
 
 namespace robochart::driver {
 
-/// The claims that the words of --assertion select.
+/// The claims that the arguments (words) of --assertion select.
 struct ClaimSelection {
     std::vector<std::size_t> chosen;  ///< indices in the list of names, ascending, without duplicates
     std::vector<std::string> lost;    ///< words that select no claim

@@ -16,7 +16,7 @@ namespace robochart::driver {
 /// The turn of a claim (turns.hpp).
 struct Turn {
     std::optional<std::chrono::steady_clock::time_point> ends = {};  ///< no value if the turn ends with the run
-    /// Additional receiver of the progress; may be empty.
+    /// Also receives the progress of searches during the turn; may be empty.
     std::function<void(const refine::Progress&)> on_progress = {};
 
     [[nodiscard]] bool is_over() const { return ends && std::chrono::steady_clock::now() >= *ends; }

@@ -13,7 +13,7 @@
 
 namespace robochart::driver {
 
-/// The services of one run. By default there is no cache, and progress is not shown.
+/// The services of one run. By default, the run has no cache and shows no progress.
 class Services {
 public:
     Services() = default;
@@ -23,7 +23,7 @@ public:
 
     /// Returns the limits of time and memory, with the interruption of the run.
     [[nodiscard]] virtual diagnostics::Budget& budget() = 0;
-    /// Results of earlier runs; null if they are not used.
+    /// Returns the cache of earlier results, or null if no cache is used.
     [[nodiscard]] virtual diagnostics::Cache* cache() { return nullptr; }
     /// Returns a function that receives the progress of a search about this subject. The function is empty if progress
     /// is not shown.

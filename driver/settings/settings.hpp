@@ -9,7 +9,7 @@
 
 namespace robochart::driver {
 
-/// What a command does with a model's claims.
+/// The use that a command makes of a model's claims.
 enum class ClaimUse {
     decide,  ///< claims are decided; without claims, the core properties are decided
     write,   ///< claims are written to scripts
@@ -17,7 +17,7 @@ enum class ClaimUse {
     ignore,  ///< claims are not used, so assertion files with errors are ignored
 };
 
-/// A file whose text is given.
+/// A file whose text is given, so that it is not read.
 struct TextInput {
     std::string path;  ///< for messages; its ending distinguishes models (.rct) from assertions (.assertions)
     std::string text;
@@ -29,7 +29,7 @@ struct LoadSettings {
     std::vector<TextInput> texts;      ///< texts of the project; if there are any, `inputs` only names the project
     std::vector<std::string> allowed;  ///< codes of warnings to suppress
     bool deny_warnings = false;        ///< treats warnings as errors
-    std::string component;             ///< only this module, controller or machine is used; "": all components
+    std::string component;             ///< the only module, controller or machine that is used; "": all components
     ClaimUse claims = ClaimUse::decide;
     bool robosim = false;             ///< the command also handles components of RoboSim
     bool split_broken_claims = true;  ///< claims are decided even if other claims have errors
@@ -46,7 +46,7 @@ struct InstantiationSettings {
 /// A swarm whose claims replace those of the model.
 struct SwarmSettings {
     std::string file;          ///< "": no swarm
-    std::uint32_t robots = 0;  ///< overrides the file unless 0
+    std::uint32_t robots = 0;  ///< number of robots; 0: the number in the file
     std::string grid;          ///< WIDTHxHEIGHT, overrides the file unless ""
 };
 

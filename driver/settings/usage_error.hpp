@@ -6,7 +6,7 @@
 
 namespace robochart::driver {
 
-/// Thrown if the settings cannot be used. The message contains the reason.
+/// Thrown if the settings are invalid. The message contains the reason.
 class UsageError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
