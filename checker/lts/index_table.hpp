@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hash table for objects that are stored elsewhere: it stores only their numbers. It uses open addressing with
-// buckets of one cache line each. For each of its twelve numbers, a bucket also stores eight bits of the object's hash.
-// A look-up usually reads one cache line, and then only the objects whose eight bits match.
+// A hash table for objects that are stored elsewhere: it stores only their numbers. The table uses open addressing with
+// buckets of one cache line. For each of its twelve numbers, a bucket also stores eight bits of the object's hash. A
+// look-up usually reads one cache line, and then only the objects whose eight bits match.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@ namespace robochart::lts {
 /// A permutation of events: the pairs (event, image) whose elements differ, in ascending order.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// One value of a replica: the position of the value in a state, and a common number for each value, which means the
+/// A field of a replica: its position in a state, and the mapping between its values and common numbers, which mean the
 /// same in every replica. So two replicas are in the same state if and only if all common numbers are equal.
 struct ReplicaPart {
     Field field;

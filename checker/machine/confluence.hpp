@@ -25,7 +25,7 @@ namespace robochart::machine {
 
 /// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// A plan says which queries to skip because their proofs seldom succeed. The key consists of the slots of the rule's
+/// A plan contains the queries to skip because their proofs seldom succeed. The key consists of the slots of the rule's
 /// parts and the slots that the skipped query tracks. The value contains the slots to track instead. If the value is
 /// empty, no proof is tried, and the step is not followed.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
@@ -64,7 +64,7 @@ private:
 /// the components that its query tracks. So the order of queries does not change an answer.
 class Confluence {
 public:
-    /// `plan` must come from a system with the same rules. It affects which steps are followed.
+    /// `plan` must come from a system with the same rules. The plan affects which steps are followed.
     Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
                lts::Followed followed, ProofPlan plan);
     Confluence(const Confluence&) = delete;

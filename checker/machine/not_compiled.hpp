@@ -6,7 +6,7 @@
 
 namespace robochart::machine {
 
-/// Thrown if a process exceeds the bounds of the compiler. Its terms can still be searched.
+/// Thrown if a process exceeds the bounds of the compiler. A search can then use the terms of the process.
 class NotCompiled : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a compiled process whose components are not minimised. It is used to display runs: minimisation merges states
-// that differ only in the names of hidden events, so a run of minimised components may show a hidden step with a name
-// that belongs to another state.
+// Runs a compiled process whose components are not minimised. This system is used to display runs: minimisation merges
+// states that differ only in the names of hidden events, so a run of minimised components may show a hidden step with a
+// name that belongs to another state.
 #pragma once
 
 #include <memory>

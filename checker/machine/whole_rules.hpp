@@ -47,8 +47,8 @@ struct WholeRules {
     std::vector<WholeRule> rules;
     std::vector<std::vector<std::vector<std::uint32_t>>> asking;  ///< by slot and event
     std::vector<std::vector<std::uint32_t>> assigning;            ///< by slot
-    /// For each slot: the rules that an event of its component can prevent. They pass through a region above the
-    /// component whose priorities can prevent them.
+    /// For each slot: the rules that an event of its component can prevent. Such a rule passes through a region that
+    /// contains the component and whose priorities can prevent the rule.
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 

@@ -30,7 +30,7 @@ struct KeptWhere {
     std::function<bool(lts::StateView row)> mine;
     /// Polled during long work; it must outlive the store.
     diagnostics::Pollable* budget = &diagnostics::unlimited;
-    /// The lock that this rank holds while it uses the folder. It is null if the folder is not locked.
+    /// The lock that this rank holds while it uses the folder, or null if the folder is not locked.
     std::shared_ptr<const diagnostics::Descriptor> lock;
 };
 
@@ -59,8 +59,8 @@ public:
     /// Writes a checkpoint. `unsure` passes unsure rows, each followed by its level. Rows of levels that are not closed
     /// are omitted. Throws storage::CannotWrite.
     void checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
-    /// Call this function after a checkpoint has failed with CannotWrite. It writes a checkpoint with as many levels as
-    /// there is space for, and drops the other levels. The search cannot continue afterwards. Throws
+    /// Call this function after a checkpoint has failed with CannotWrite. The function writes a checkpoint with as many
+    /// levels as there is space for, and drops the other levels. The search cannot continue afterwards. Throws
     /// storage::CannotWrite if the new checkpoint would not contain more levels than the previous one.
     void checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
     void poll() const { where_.budget->poll(); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A level-synchronous search by several ranks. It searches the same product of system and monitor as search.hpp, but
-// the hash of a row determines the rank that owns it, and no parents are stored. The ranks expand a level in rounds,
-// exchange the rows that they find, and synchronise at the end of each level. To find a run afterwards, the search
-// expands the earlier levels again.
+// A level-synchronous search by several ranks. This search visits the same product of system and monitor as search.hpp,
+// but the hash of a row determines the rank that owns the row, and no parents are stored. The ranks expand a level in
+// rounds, exchange the rows that they find, and synchronise at the end of each level. To find a run afterwards, the
+// search expands the earlier levels again.
 //
 // The result depends neither on the number of ranks nor on where rows are stored. If there are several violations at
 // the least level, the search reports the fault of a state rather than a forbidden event. Among faults of states, it

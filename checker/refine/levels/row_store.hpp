@@ -25,16 +25,16 @@ struct LevelFigures {
 struct SearchRecord {
     explicit SearchRecord(std::size_t width) : marks(width) {}
     std::vector<LevelFigures> expanded;  ///< by level: statistics of the rows that this rank has expanded so far
-    /// Rows of this rank, including at least those to which a tau leads from a row of the same level or a later one.
+    /// Rows of this rank: at least every row that is the target of a tau from a row of the same level or a later level.
     lts::StateStore marks;
 };
 
 /// Stores rows by levels. Levels 0 to levels()-1 are closed: their rows are complete. The next level, number levels(),
 /// is open: rows are entered into it. Not thread-safe.
 ///
-/// If a store does not have all earlier rows in memory, it may return `unsure` for a row. This means that the row may
-/// be in a closed level. The store remembers the row with the number of the open level until it settles its unsure
-/// rows. Until then, the search treats the row as a duplicate.
+/// If a store does not have all earlier rows in memory, it may return `unsure` for a row that may be in a closed level.
+/// The store remembers the row with the number of the open level until it settles its unsure rows. Until then, the
+/// search treats the row as a duplicate.
 class RowStore {
 public:
     enum class Found : std::uint8_t {

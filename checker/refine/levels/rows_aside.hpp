@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores rows that may be duplicates, in order to decide later about all of them together ("delayed duplicate
-// detection": Stern and Dill, Using magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each row is
-// stored with a level, to which it belongs if it is not a duplicate. If there are many rows, they are stored as sorted
-// runs in a file.
+// Stores rows that may be duplicates, so that all these rows are decided together later ("delayed duplicate detection":
+// Stern and Dill, Using magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each row is stored with
+// a level, to which it belongs if it is not a duplicate. If there are many rows, they are stored as sorted runs in a
+// file.
 #pragma once
 
 #include <functional>

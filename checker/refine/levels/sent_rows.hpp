@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remembers the rows that a rank has sent recently, so that it does not send them again. This saves work, because
-// neighbouring rows often have the same successors. The table fits into the processor's cache. New rows replace old
-// ones, so a rank may send a row again. This is harmless, because the owner of the row stores each row only once. The
-// table compares whole rows, so it never takes a new row for a sent row.
+// Stores the rows that a rank has sent recently, so that the rank does not send them again. This table saves work,
+// because neighbouring rows often have the same successors. The table fits into the processor's cache. New rows replace
+// old ones, so a rank may send a row again. This is harmless, because the owner of the row stores each row only once.
+// The table compares whole rows, so it never takes a new row for a sent row.
 #pragma once
 
 #include <algorithm>

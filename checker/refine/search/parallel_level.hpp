@@ -33,18 +33,18 @@ public:
         enter_note_taus,  ///< also records targets of taus that do not lead forward
         examine           ///< looks only for faults of states, because the first forbidden event is known
     };
-    /// Processes the pairs from `first` to `end` (exclusive), and returns the pair at which it has stopped. It stops at
-    /// or shortly before a pair with a fault, an error or a forbidden event. It also stops when space runs out, or when
-    /// there has been enough work for one call.
+    /// Processes the pairs from `first` to `end` (exclusive), and returns the pair at which it has stopped. The
+    /// function stops at or shortly before a pair with a fault, an error or a forbidden event. It also stops if there
+    /// is no more space, or after enough work for one call.
     lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
     /// Returns true if the last call stopped at a pair that it cannot process. One thread must then process the next
-    /// `pairs_at_once` pairs, or all up to the end.
+    /// `pairs_at_once` pairs, or all remaining pairs if there are fewer.
     [[nodiscard]] bool has_stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
     /// After this call, all threads follow only taus.
     void follow_taus_alone();
 
-    /// The results of blocks of pairs, in order.
+    /// The results of expanding one block of pairs.
     struct Block {
         lts::StateIndex first = 0;
         lts::StateIndex pairs = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines searches by levels (levels/level_search.hpp). They replace the ordinary search if there are several ranks or
-// if rows are stored in files. Limits::by_levels selects the strategy. A question consists only of data, so that one
-// program can send it to another program.
+// Defines the strategy of searches by levels (levels/level_search.hpp), which replace the ordinary search if there are
+// several ranks or if rows are stored in files. Limits::by_levels selects the strategy. A question consists only of
+// data, so that one program can send it to another program.
 #pragma once
 
 #include <limits>

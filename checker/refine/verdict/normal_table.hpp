@@ -32,7 +32,7 @@ inline constexpr std::size_t most_table_nodes = 1'000'000;
 [[nodiscard]] std::optional<NormalTable> table_of(NormalForm& normal, Model model,
                                                   std::size_t most_nodes = most_table_nodes);
 
-/// A monitor with the same answers as RefinementMonitor. It reads them from a table.
+/// Reads the answers of a RefinementMonitor from a table.
 class TableMonitor final : public Monitor {
 public:
     TableMonitor(std::shared_ptr<const NormalTable> table, Model model) : table_(std::move(table)), model_(model) {}

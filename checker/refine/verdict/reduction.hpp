@@ -22,12 +22,12 @@ struct SearchQuestion {
     /// Returns whether the answer for a state is the same as for its images if automorphisms exchange these events. The
     /// argument contains exchanges of at least two events.
     std::function<bool(const lts::EventPermutation&)> indifferent;
-    /// Whether to search for a shortest run in the whole system after a run has been found in its reduced form.
+    /// Whether to search for a shortest run in the whole system after the search has found a run in the reduced system.
     bool shortest = true;
     /// The confluent steps that the search may follow. If they are steps with any event, the search must only look for
     /// states without transitions.
     lts::Followed followed = lts::Followed::taus;
-    /// The same question for the symbolic stage. It has no value if the stage cannot decide this kind of question.
+    /// The same question for the symbolic stage, or no value if the stage cannot decide this kind of question.
     std::optional<SymbolicQuestion> symbolic = std::nullopt;
 };
 

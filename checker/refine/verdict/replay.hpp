@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays counterexamples before they are reported. A replay repeats the run step by step. It checks the violation
-// against the set of specification states after the trace of the run, which it computes by a plain powerset
-// construction. A replay is slow, follows the definitions closely, and uses no data of the search. A mismatch is an
-// internal error and throws std::logic_error.
+// Replays counterexamples before they are reported. A replay repeats the run step by step. To check the violation, a
+// replay computes the set of specification states after the trace of the run by a plain powerset construction. A replay
+// is slow, follows the definitions closely, and uses no data of the search. A mismatch is an internal error and throws
+// std::logic_error.
 #pragma once
 
 #include "checker/refine/search/budget.hpp"

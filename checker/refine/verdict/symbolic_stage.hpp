@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface to a search that represents sets of states instead of single states (checker/symbolic). It decides
-// questions that the explicit search has not decided after some time (docs/search.md, "Decision diagrams").
+// The interface to a search that represents sets of states instead of single states (checker/symbolic). Such a search
+// decides questions that the explicit search has not decided after some time (docs/search.md, "Decision diagrams").
 #pragma once
 
 #include <chrono>
