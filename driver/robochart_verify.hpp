@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The library robochart::driver: loads RoboChart models, decides their claims in the CSP semantics, and explains the
-// answers with runs of the model. It is the pipeline of the command `robochart-verify check`.
+// answers with runs of the model. The command `robochart-verify check` uses the same pipeline.
 //
 // The functions return errors and warnings about a model or a setting as findings. They print nothing, never end the
 // program, and throw no exception except std::bad_alloc. This header needs only the standard library. docs/library.md
@@ -44,7 +44,7 @@ struct Text {
     std::string text;
 };
 
-/// How a model is loaded and made finite.
+/// The options for loading a model and making it finite.
 struct LoadOptions {
     std::map<std::string, std::string> constants;  ///< values of constants by name; literals as in the model
     /// The least and the greatest value of `nat`, `int` and `real`. The names `Seq`, `clock` and `given` set the bounds

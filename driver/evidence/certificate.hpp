@@ -78,7 +78,7 @@ struct Certificate {
 
 /// Returns the certificate as text with a final line end, including a digest of its contents.
 [[nodiscard]] std::string certificate_text(const Certificate&);
-/// Reads a certificate. It must have exactly the required fields, with the right types, and a correct digest. Otherwise
+/// Reads a certificate. If it does not have exactly the required fields with the right types and a correct digest,
 /// returns no value, and `error` contains the reason.
 [[nodiscard]] std::optional<Certificate> read_certificate(std::string_view text, std::string& error);
 

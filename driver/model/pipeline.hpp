@@ -46,8 +46,8 @@ void add_swarm(Settings&);
 /// selected.
 [[nodiscard]] bool is_selected(const ClaimSettings&, const std::string& claim);
 
-/// Returns true if the core properties of a part are checked. They are checked if the user requests them, or if
-/// assertions are checked and the model has no assertions. They are not checked if an earlier part has the same
+/// Returns true if the core properties of a part are checked. Core properties are checked if the user requests them,
+/// or if assertions are checked and the model has none. They are not checked if an earlier part has the same
 /// components.
 [[nodiscard]] bool core_wanted(const Part&, const Settings&);
 
@@ -70,8 +70,8 @@ void add_swarm(Settings&);
 /// components of both notations have this name.
 [[nodiscard]] std::string component_name(const ir::System&, const ir::ComponentRef&);
 
-/// Returns the component's name for file names and generated code, which consists of letters, digits and underscores.
-/// It contains the package if components of other packages have the same name.
+/// Returns a name of the component for file names and generated code. The name consists of letters, digits and
+/// underscores, and contains the package if components of other packages have the same name.
 [[nodiscard]] std::string file_name(const Project&, const ir::ComponentRef&);
 
 /// Loads a text that is not a model: a file, or standard input if the path is "-". If the text cannot be read, returns

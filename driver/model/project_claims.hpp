@@ -19,8 +19,8 @@ namespace robochart::driver {
 struct ScriptedClaim {
     std::vector<claims::Letter> letters;
     claims::Decision decision;
-    /// True if every run of the script is a run of the model in which the facts are shown at the right moments. If this
-    /// is false, the script has additional runs. In both cases, a claim holds for the model if it holds for all runs of
+    /// True if every run of the script is a run of the model that shows the facts at the right moments. If this is
+    /// false, the script has additional runs. In both cases, a claim holds for the model if it holds for all runs of
     /// the script.
     bool exact = true;
 };

@@ -41,8 +41,8 @@ struct CoreReport {
     std::string component;     ///< "state machine P::S"
     std::string property;      ///< "deadlock-free"
     bool information = false;  ///< informative only: neither a false nor an unknown answer is a problem
-    /// If the property asks which elements are exercised: the transitions or states of the resolved model that the
-    /// property is about.
+    /// For properties about elements that runs exercise: the transitions or states of the resolved model that the
+    /// property covers.
     std::vector<std::string> elements = {};
     std::vector<std::string> unexercised = {};  ///< the elements that no run exercises
 };

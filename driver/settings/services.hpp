@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Defines the services that a run provides to all phases: the budget, the cache, the display of progress, and searches
-// in files. The phases themselves print nothing.
+// in files. The phases print nothing.
 #pragma once
 
 #include <functional>
