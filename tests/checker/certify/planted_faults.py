@@ -126,6 +126,25 @@ FAULTS = [
      "take_step(rule, participant.index, edge, next, revealed);\n            return;",
      "{\n                take_step(rule, participant.index, edge, next, revealed);\n                if (FAULT) break;\n"
      "            }\n            return;"),
+    # The compilation of terms, which certificates at the term level do not use.
+    ("every event is hidden", MACHINE + "combine.cpp",
+     "terms_.contains(set, vector.event)) vector.event = tau;", "(FAULT || terms_.contains(set, vector.event))) vector.event = tau;"),
+    ("operands synchronise on every event", MACHINE + "combine.cpp",
+     "return event == tick || (event != tau && terms_.contains(set, event)); };",
+     "return event == tick || (event != tau && (FAULT || terms_.contains(set, event))); };"),
+    ("an event has only its first new name", MACHINE + "combine.cpp", "result.back().event = result.back().revealed = pair->second;",
+     "result.back().event = result.back().revealed = pair->second;\n            if (FAULT) break;"),
+    ("the second process of a sequence does not start", MACHINE + "combine.cpp",
+     "vector.actions.push_back({node.children[1], true});", "if (!FAULT) vector.actions.push_back({node.children[1], true});"),
+    ("only the first operand of a choice or an interrupt moves", MACHINE + "combine.cpp",
+     "prepend_actions(vector, others);\n            result.push_back(std::move(vector));",
+     "prepend_actions(vector, others);\n            if (FAULT && i > 0) continue;\n            result.push_back(std::move(vector));"),
+    ("all operands of an alphabetised parallel perform each event", MACHINE + "combine.cpp",
+     "if (event == tick || terms_.contains(term.sets[i], event)) who.push_back(&row[i]);",
+     "if (FAULT || event == tick || terms_.contains(term.sets[i], event)) who.push_back(&row[i]);"),
+    ("a component loses the last transition of a state", MACHINE + "component.cpp",
+     "edges_.push_back({place, edge.revealed, edge.target});",
+     "if (FAULT && row.size() > 1 && &edge == &row.back()) break;\n            edges_.push_back({place, edge.revealed, edge.target});"),
 ]
 
 DECLARATION = """
@@ -206,6 +225,10 @@ assert C1 [T= C0
 H = (||| i : {0..5} @ (u.i -> STOP [] v.i -> STOP)) [| {|u|} |] (||| i : {0..5} @ u.i -> STOP)
 assert STOP [T= H \\ {|u|}
 P0 = prioritise(||| i : {0..5} @ u.i -> v.i -> a -> STOP, <{|v|}, {|u|}>)
+A0 = (u.0 -> a -> STOP) [{u.0, a} || {u.1, b}] (u.1 -> b -> STOP)
+assert STOP [T= A0
+Q0 = ((a -> STOP) ||| (d -> STOP))[[a <- b, a <- c]]
+assert RUN({b, d}) [T= Q0
 assert RUN({|u, v|}) [T= P0
 assert P0 :[deadlock free [F]]
 """
