@@ -14,10 +14,10 @@ type subject = System of system | Split_term of script * split
 type proof =
   | Of_refinement of model * shape * subject * shape * subject * normal_form * int list evidence * int list pairs
   | Of_property of property * shape * subject * int list pairs
-  | Of_determinism of model * shape * choiceless * shape * system * normal_form * int list evidence * int list pairs
-  | Of_possible of int list * shape * system * int list numbering
-  | Of_trace of int list * shape * system * (int * int list) list
-  | Of_refutation of model * shape * system * shape * system * int list refutation * int list pairs
+  | Of_determinism of model * shape * choiceless * shape * subject * normal_form * int list evidence * int list pairs
+  | Of_possible of int list * shape * subject * int list numbering
+  | Of_trace of int list * shape * subject * (int * int list) list
+  | Of_refutation of model * shape * subject * shape * subject * int list refutation * int list pairs
 
 (* Returns the layout of packed states: for each word, the numbers of bits of its components. *)
 let layout_of sizes event_count =
@@ -82,13 +82,20 @@ let property_task property : Search.task =
     forbid_cycles = property <> Deadlock_free;
     event_fault = (fun _ _ -> "") }
 
-(* Returns the process of a side, and what the theorem is about. *)
-let process_of ?forge side ~event_count ~most : Formats.process * subject =
-  match side with
-  | Formats.Compiled process -> (process, System process.system)
-  | Formats.Term text ->
-      let split, process = Splitter.split ?forge text ~event_count ~most in
-      (process, Split_term (text.script, split))
+(* A side of a claim: its process, how the process is represented, and what the theorem is about. *)
+type side = { process : Formats.process; shape : shape; subject : subject }
+
+let side_of ?forge given ~event_count ~most =
+  let process, subject =
+    match given with
+    | Formats.Compiled process -> (process, System process.system)
+    | Formats.Term text ->
+        let split, process = Splitter.split ?forge text ~event_count ~most in
+        (process, Split_term (text.script, split))
+  in
+  { process; shape = shape_of process event_count; subject }
+
+let lts_of side = compact side.shape side.process.system
 
 (* What the search needs to check the implementation, from the claim and its specification. *)
 type plan = {
@@ -125,45 +132,45 @@ let determinism_task (nodes : Search.node array) (task : Search.task) name : Sea
   { task with state_fault;
     event_fault = (fun _ a -> Printf.sprintf "it can perform %s, which another state after the same events can refuse" (name a)) }
 
-(* Returns the process of a claim that has no certificates at the term level. *)
-let compiled = function
-  | Formats.Compiled process -> process
-  | Formats.Term _ -> raise (Formats.Unreadable "a certificate of this kind of claim contains compiled processes")
+(* What the search and the check need of the specification of a refinement. *)
+type normalised = {
+  members : Search.node array;
+  normal : normal_form;
+  fitting : int -> (int * Search.words) list -> int;
+  evidence : Search.words evidence;
+  refinement : Search.task;
+}
 
-let rec plan_of ?(forge = Fun.id) ?split_forge ?(forge_graph = Fun.id) (claim : Formats.claim) ~most =
-  let name = claim.event_name in
-  let process_of side = process_of ?forge:split_forge side ~event_count:claim.event_count ~most in
-  let process, impl = process_of claim.implementation in
-  let shape = shape_of process claim.event_count in
+let normalised (claim : Formats.claim) model spec ~forge ~most =
+  let lts = lts_of spec in
+  let graph = Search.new_graph lts.succ0 in
+  let members = forge (Search.normalise graph lts.init model ~most) in
+  let normal = Search.normal_form_of members in
+  let fitting = Search.chooser members claim.event_count in
+  { members; normal; fitting; evidence = Search.evidence_of graph lts.init members;
+    refinement = refinement_task members normal model fitting claim.event_name }
+
+let plan_of ?(forge = Fun.id) ?split_forge ?(forge_graph = Fun.id) (claim : Formats.claim) ~most =
+  let side_of given = side_of ?forge:split_forge given ~event_count:claim.event_count ~most in
+  let impl = side_of claim.implementation in
+  let plan task choose nodes completed =
+    { process = impl.process; shape = impl.shape; name = claim.event_name; task; choose; nodes; completed } in
   match (claim.question, claim.specification) with
-  | Refinement model, Some side ->
-      let spec, subject = process_of side in
-      let spec_shape = shape_of spec claim.event_count in
-      let spec_lts = compact spec_shape spec.system in
-      let graph = Search.new_graph spec_lts.succ0 in
-      let nodes = forge (Search.normalise graph spec_lts.init model ~most) in
-      let normal = Search.normal_form_of nodes in
-      let choose = Search.chooser nodes claim.event_count in
-      let evidence = Search.evidence_of graph spec_lts.init nodes in
-      { process; shape; name; task = refinement_task nodes normal model choose name; choose; nodes;
-        completed = (fun pairs -> Of_refinement (model, spec_shape, subject, shape, impl, normal, evidence, pairs)) }
+  | Refinement model, Some given ->
+      let spec = side_of given in
+      let n = normalised claim model spec ~forge ~most in
+      plan n.refinement n.fitting n.members (fun pairs ->
+          Of_refinement (model, spec.shape, spec.subject, impl.shape, impl.subject, n.normal, n.evidence, pairs))
   | Property property, None ->
-      { process; shape; name; task = property_task property; choose = (fun _ _ -> 0); nodes = [||];
-        completed = (fun pairs -> Of_property (property, shape, impl, pairs)) }
+      plan (property_task property) (fun _ _ -> 0) [||] (fun pairs -> Of_property (property, impl.shape, impl.subject, pairs))
   | Determinism model, None ->
-      let system = (compiled claim.implementation).system in
-      let lts = compact shape system in
+      let lts = lts_of impl in
       let rows = forge_graph (Search.without_choices (Search.new_graph lts.succ0) lts.init ~most) in
-      let graph, own = choiceless_process claim.event_count rows in
-      let refinement = { claim with question = Refinement model; specification = Some (Formats.Compiled own) } in
-      let plan = plan_of ~forge refinement ~most in
-      let completed pairs =
-        match plan.completed pairs with
-        | Of_refinement (m, graph_shape, _, shape, _, normal, evidence, pairs) ->
-            Of_determinism (m, graph_shape, graph, shape, system, normal, evidence, pairs)
-        | other -> other
-      in
-      { plan with task = determinism_task plan.nodes plan.task name; completed }
+      let graph, process = choiceless_process claim.event_count rows in
+      let spec = side_of (Formats.Compiled process) in
+      let n = normalised claim model spec ~forge ~most in
+      plan (determinism_task n.members n.refinement claim.event_name) n.fitting n.members (fun pairs ->
+          Of_determinism (model, spec.shape, graph, impl.shape, impl.subject, n.normal, n.evidence, pairs))
   | _ -> raise (Formats.Unreadable "a specification belongs to a refinement, and to nothing else")
 
 let search_pairs ?(lenient = false) plan ~most =
@@ -178,42 +185,50 @@ let prove ?(lenient = false) ?forge ?split_forge (claim : Formats.claim) ~most =
   let found = search_pairs ~lenient plan ~most in
   (plan.completed (Search.pairs_record found plan.choose), plan.nodes, found)
 
+(* Applies a check of systems at the level of the claim. Both sides of a claim have the same level. *)
+let on_one subject check =
+  match subject with System system -> check system | Split_term (script, split) -> certify_script script split check
+
+let on_both spec impl check =
+  match (spec, impl) with
+  | System spec, System impl -> check spec impl
+  | Split_term (spec, xs), Split_term (impl, xi) -> certify_scripts spec xs impl xi check
+  | _ -> false
+
 (* Runs the verified check. The theorems `program_sound` and `script_sound` state what its answer `true` means. Only this
    answer certifies a claim. *)
 let accepted ?reduction = function
-  | Of_refinement (model, spec_shape, System spec, shape, System impl, normal, evidence, pairs) ->
-      certify_refinement model spec_shape spec shape impl reduction normal evidence pairs
-  | Of_refinement (model, spec_shape, Split_term (spec, xs), shape, Split_term (impl, xi), normal, evidence, pairs) ->
-      certify_scripts model spec xs spec_shape impl xi shape reduction normal evidence pairs
-  | Of_refinement _ -> false
-  | Of_property (property, shape, System impl, pairs) -> certify_property property shape impl reduction pairs
-  | Of_property (property, shape, Split_term (impl, x), pairs) -> certify_script property impl x shape reduction pairs
+  | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, pairs) ->
+      on_both spec impl (fun spec impl -> certify_refinement model spec_shape spec shape impl reduction normal evidence pairs)
+  | Of_property (property, shape, impl, pairs) -> on_one impl (fun impl -> certify_property property shape impl reduction pairs)
   | Of_determinism (model, graph_shape, graph, shape, impl, normal, evidence, pairs) ->
-      certify_determinism model graph_shape graph shape impl reduction normal evidence pairs
-  | Of_possible (goal, shape, impl, numbering) -> certify_possible goal shape impl numbering
-  | Of_trace (events, shape, impl, run) -> certify_trace events shape impl run
+      on_one impl (fun impl -> certify_determinism model graph_shape graph shape impl reduction normal evidence pairs)
+  | Of_possible (goal, shape, impl, numbering) -> on_one impl (fun impl -> certify_possible goal shape impl numbering)
+  | Of_trace (events, shape, impl, run) -> on_one impl (fun impl -> certify_trace events shape impl run)
   | Of_refutation (model, spec_shape, spec, shape, impl, refutation, pairs) ->
-      certify_refutation model spec_shape spec shape impl refutation pairs
+      on_both spec impl (fun spec impl -> certify_refutation model spec_shape spec shape impl refutation pairs)
 
 (* Returns which part of the check refuses. *)
 let first_refused proof =
   let system = function System system -> system | Split_term (script, split) -> split_system script.defines split in
   let split = function System _ -> true | Split_term (script, split) -> split_ok script.defines split script.main in
+  let refused (name, shape, subject) =
+    if not (split subject) then Some "the check refuses the components of a term"
+    else if not (shape_ok shape (system subject)) then Some (name ^ " is not a well-formed process")
+    else None
+  in
+  let first sides otherwise = Option.value ~default:otherwise (List.find_map refused sides) in
   match proof with
-  | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, _) ->
-      if not (split spec && split impl) then "the check refuses the components of a term"
-      else if not (shape_ok spec_shape (system spec)) then "the specification is not a well-formed process"
-      else if not (shape_ok shape (system impl)) then "the implementation is not a well-formed process"
-      else if not (check_specification (compact spec_shape (system spec)) eq_words normal evidence model) then
-        "the check refuses the normal form of the specification"
-      else "the check refuses the pairs"
-  | Of_property (_, shape, impl, _) ->
-      if not (split impl) then "the check refuses the components of a term"
-      else if not (shape_ok shape (system impl)) then "the process is not well-formed"
-      else "the check refuses the pairs"
-  | Of_determinism (_, _, _, shape, impl, _, _, _) | Of_possible (_, shape, impl, _) | Of_trace (_, shape, impl, _)
-  | Of_refutation (_, _, _, shape, impl, _, _) ->
-      if not (shape_ok shape impl) then "the process is not well-formed" else "the check refuses the evidence"
+  | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, _) -> (
+      match List.find_map refused [ ("the specification", spec_shape, spec); ("the implementation", shape, impl) ] with
+      | Some why -> why
+      | None when check_specification (compact spec_shape (system spec)) eq_words normal evidence model -> "the check refuses the pairs"
+      | None -> "the check refuses the normal form of the specification")
+  | Of_property (_, shape, impl, _) -> first [ ("the implementation", shape, impl) ] "the check refuses the pairs"
+  | Of_determinism (_, _, _, shape, impl, _, _, _) | Of_possible (_, shape, impl, _) | Of_trace (_, shape, impl, _) ->
+      first [ ("the implementation", shape, impl) ] "the check refuses the evidence"
+  | Of_refutation (_, spec_shape, spec, shape, impl, _, _) ->
+      first [ ("the specification", spec_shape, spec); ("the implementation", shape, impl) ] "the check refuses the evidence"
 
 let guarded f =
   try f () with
@@ -276,18 +291,18 @@ type shown = { refutation : int list refutation; trace : int list; performs : bo
 let shown_by run performs refutation = { refutation; trace = Search.visible run; performs }
 
 (* Finds a violation of the refinement. *)
-let violation_of lts width (plan : plan) ~most =
+let violation_of lts width (task : Search.task) ~most =
   let found = Search.new_found width true in
   match
-    Search.explore lts plan.task found ~most ~lenient:false;
-    if plan.task.forbid_cycles then Search.set_ranks found ~lenient:false
+    Search.explore lts task found ~most ~lenient:false;
+    if task.forbid_cycles then Search.set_ranks found ~lenient:false
   with
   | () -> None
   | exception Search.Violation_at (j, _) ->
       let run = Search.moves_to found j and state = Search.words_at found.store j in
       let node = Search.node_at found.store j and moves = lts.succ0 state in
-      let forbidden (a, _) = a <> 0 && plan.task.next node a = None in
-      if plan.task.state_fault node moves <> None then Some (shown_by run false (By_refusal run))
+      let forbidden (a, _) = a <> 0 && task.next node a = None in
+      if task.state_fault node moves <> None then Some (shown_by run false (By_refusal run))
       else (
         match List.find_opt forbidden moves with
         | Some move -> Some (shown_by (run @ [ move ]) true (By_event (run @ [ move ])))
@@ -303,38 +318,49 @@ let prefixes_task model shown : Search.task =
     forbid_cycles = model = FD;
     event_fault = (fun _ _ -> "") }
 
-let refutation_of ?(lenient = false) (claim : Formats.claim) model (spec : Formats.process) shown ~most =
-  let impl = compiled claim.implementation in
-  let shape = shape_of impl claim.event_count and spec_shape = shape_of spec claim.event_count in
+let refutation_of ?(lenient = false) (claim : Formats.claim) model (spec : side) (impl : side) shown ~most =
   let absent =
-    Search.pairs_for ~lenient (compact spec_shape spec.system) (width spec_shape) (prefixes_task model shown) ~most
-      ~name:claim.event_name ~state_name:(state_name spec spec_shape)
+    Search.pairs_for ~lenient (lts_of spec) (width spec.shape) (prefixes_task model shown) ~most ~name:claim.event_name
+      ~state_name:(state_name spec.process spec.shape)
   in
-  (Of_refutation (model, spec_shape, spec.system, shape, impl.system, shown.refutation,
+  (Of_refutation (model, spec.shape, spec.subject, impl.shape, impl.subject, shown.refutation,
                   Search.pairs_record absent (fun _ _ -> 0)), absent)
 
-(* Finds the evidence for a claim that a run or the distances of states show. Returns it with the number of pairs. *)
-let show (claim : Formats.claim) ~most =
-  let impl = compiled claim.implementation in
-  let shape = shape_of impl claim.event_count in
-  let lts = compact shape impl.system and name = claim.event_name in
+(* The evidence for a claim that a run or the distances of states show. *)
+type shown_claim = {
+  proof : proof;
+  implementation : Formats.process;
+  visited : Search.found option;  (** the states with distances, or the pairs that show the absence of a run *)
+  pair_count : int;
+}
+
+(* Finds the evidence for such a claim. *)
+let show ?split_forge (claim : Formats.claim) ~most =
+  let side_of given = side_of ?forge:split_forge given ~event_count:claim.event_count ~most in
+  let impl = side_of claim.implementation in
+  let lts = lts_of impl and name = claim.event_name in
+  let visited proof (found : Search.found) =
+    { proof; implementation = impl.process; visited = Some found; pair_count = found.store.filled } in
   match (claim.question, claim.specification) with
-  | Formats.Stays_possible, _ -> (
-      match Search.distances lts (width shape) claim.events ~most ~name ~state_name:(state_name impl shape) with
+  | Formats.Stays_possible, None -> (
+      match Search.distances lts (width impl.shape) claim.events ~most ~name ~state_name:(state_name impl.process impl.shape) with
       | _, _, Some fault -> raise (Search.Refuted fault)
       | found, distance, None ->
-          (Of_possible (claim.events, shape, impl.system, Search.numbering_of found distance), found.store.filled))
-  | Has_trace, _ -> (
-      match Search.run_with lts (width shape) claim.events ~most with
-      | Some run -> (Of_trace (claim.events, shape, impl.system, run), List.length run + 1)
-      | None -> raise (Search.Refuted "it cannot perform these events in this order"))
-  | No_refinement model, Some spec -> (
-      let plan = plan_of { claim with question = Refinement model } ~most in
-      match violation_of lts (width shape) plan ~most with
+          visited (Of_possible (claim.events, impl.shape, impl.subject, Search.numbering_of found distance)) found)
+  | Has_trace, None -> (
+      match Search.run_with lts (width impl.shape) claim.events ~most with
+      | None -> raise (Search.Refuted "it cannot perform these events in this order")
+      | Some run ->
+          { proof = Of_trace (claim.events, impl.shape, impl.subject, run); implementation = impl.process; visited = None;
+            pair_count = List.length run + 1 })
+  | No_refinement model, Some given -> (
+      let spec = side_of given in
+      let n = normalised claim model spec ~forge:Fun.id ~most in
+      match violation_of lts (width impl.shape) n.refinement ~most with
       | None -> raise (Search.Refuted "the refinement holds")
       | Some shown ->
-          let proof, absent = refutation_of claim model (compiled spec) shown ~most in
-          (proof, absent.store.filled))
+          let proof, absent = refutation_of claim model spec impl shown ~most in
+          visited proof absent)
   | _ -> raise (Formats.Unreadable "the parts of the certificate do not belong to its claim")
 
 let certify ?(reduce = true) (claim : Formats.claim) ~most =
@@ -342,10 +368,9 @@ let certify ?(reduce = true) (claim : Formats.claim) ~most =
       match claim.question with
       | Refinement _ | Property _ | Determinism _ -> certify_on_the_way ~reduce claim ~most
       | Stays_possible | Has_trace | No_refinement _ ->
-          let proof, pairs = show claim ~most in
-          if accepted proof then
-            let impl = compiled claim.implementation in
+          let shown = show claim ~most in
+          if accepted shown.proof then
             Certified
-              { pairs; nodes = 0; transitions = 0; components = Array.length impl.component_names; rules = impl.rule_count;
-                reductions = [] }
-          else Refused (first_refused proof))
+              { pairs = shown.pair_count; nodes = 0; transitions = 0; components = Array.length shown.implementation.component_names;
+                rules = shown.implementation.rule_count; reductions = [] }
+          else Refused (first_refused shown.proof))

@@ -29,10 +29,10 @@ let rec region (Region (inside, rules)) =
   in
   Printf.sprintf "Region %s\n    %s" (list participant inside) (list rule rules)
 
-let shape_of out name (process : Formats.process) shape =
+let shape_of out name component_edges shape =
   let representatives k rows = array ~default:"0" number (Array.init (Array.length rows) (shape.merges.representative k)) in
   define out (name ^ "_merges") "array (array int)"
-    (array ~default:"make 0 0" Fun.id (Array.mapi representatives process.component_edges));
+    (array ~default:"make 0 0" Fun.id (Array.mapi representatives component_edges));
   define out (name ^ "_shape") "shape"
     (Printf.sprintf
        "{| merges := {| merged_states := fun k => length (get %s_merges (of_Z (Z.of_nat k)));\n\
@@ -105,11 +105,23 @@ let script out name (text : Formats.script_text) (split : split) =
        name (tree split.whole_tree) (nat split.slots) name split.enough split.event_bound)
 
 (* Writes one side of the claim. *)
-let side out name side subject shape ~process =
-  (match (side, subject) with
-  | Formats.Term text, Certificate_check.Split_term (_, split) -> script out name text split
-  | _ -> system out name process);
-  shape_of out name process shape
+let side out name given (side : Certificate_check.side) =
+  (match (given, side.subject) with
+  | Formats.Term text, Split_term (_, split) -> script out name text split
+  | _ -> system out name side.process);
+  shape_of out name side.process.component_edges side.shape
+
+(* Writes the graph without choices that a deterministic process refines. *)
+let graph out (graph : choiceless) shape =
+  let rows = Array.init graph.choiceless_size graph.choiceless_arcs in
+  define out "graph_rows" "array (list (ev * int))"
+    (array ~default:"nil" (list (fun (a, v) -> pair (number a) (number v))) rows);
+  define out "graph" "choiceless"
+    (Printf.sprintf
+       "{| choiceless_size := length graph_rows; choiceless_start := %d; choiceless_arcs := get graph_rows;\n\
+       \   choiceless_events := %s |}"
+       graph.choiceless_start (words graph.choiceless_events));
+  shape_of out "graph" [| rows |] shape
 
 let origin o = Printf.sprintf "{| by_event := %b; from := %d; depth := %d |}" o.by_event o.from o.depth
 let no_origin = "{| by_event := true; from := 0; depth := 0 |}"
@@ -159,19 +171,25 @@ let normal_form out (nodes : Search.node array) (evidence : int list evidence) =
     \   loop_size := length loop_states; loop := get loop_states; loop_next := get loop_nexts;\n\
     \   diverging_member := fun n => fst (get node_loops n); loop_entry := fun n => snd (get node_loops n) |}"
 
-(* Writes the pairs in ascending order of nodes and words, so that a binary search finds a pair. *)
-let pairs_of out (found : Search.found) ~choose =
+(* Writes the pairs in ascending order of nodes and words, so that a binary search finds a pair. Returns their order. *)
+let stored_pairs out (found : Search.found) =
   let store = found.store in
   let order = Array.init store.filled Fun.id in
   let key j = (Search.node_at store j, Search.words_at store j) in
   Array.stable_sort (fun i j -> compare (key i) (key j)) order;
-  let column name kind ~default f = define out name ("array (" ^ kind ^ ")") (array ~default f order) in
   let flat = Array.concat (List.map (fun j -> Array.of_list (Search.words_at store j)) (Array.to_list order)) in
   define out "pair_words" "array int" (array ~default:"0" number flat);
   define out "pair_state" "int -> list int"
     (if store.width = 1 then "fun j => get pair_words j :: nil"
      else Printf.sprintf "fun j => words_from pair_words %s (j * %d)" (nat store.width) store.width);
-  column "pair_nodes" "int" ~default:"0" (fun j -> number (Search.node_at store j));
+  define out "pair_nodes" "array int" (array ~default:"0" (fun j -> number (Search.node_at store j)) order);
+  define out "located" "list int -> int -> int"
+    (Printf.sprintf "fun s n => seek pair_state pair_nodes 64 s n 0 %d" store.filled);
+  order
+
+let pairs_of out (found : Search.found) ~choose =
+  let store = found.store in
+  let order = stored_pairs out found in
   let visits = Array.init store.filled Fun.id in
   Array.stable_sort (fun i j -> compare (Search.rank_of found order.(i)) (Search.rank_of found order.(j))) visits;
   let places = Array.make store.filled 0 in
@@ -186,10 +204,25 @@ let pairs_of out (found : Search.found) ~choose =
   define out "found" "pairs (list int)"
     (Printf.sprintf
        "{| state_of := pair_state; node_of := get pair_nodes; place_of := place_of_pair; pair_at := pair_at_place;\n\
-       \   locate := fun s n => seek pair_state pair_nodes 64 s n 0 %d;\n\
-       \   choose := %s;\n\
+       \   locate := located; choose := %s;\n\
        \   deed := fun t _ => if t <? %d then if t land 1 =? 0 then Open (pair_at_place (t >> 1)) else Visit else Stop |}"
-       store.filled choose (2 * store.filled))
+       choose (2 * store.filled))
+
+(* Writes the states, and how far each of them is from an event of the goal. *)
+let numbering_of out (found : Search.found) (numbering : Search.words numbering) =
+  let order = stored_pairs out found in
+  define out "distances" "array int" (array ~default:"0" (fun j -> number (numbering.distance j)) order);
+  define out "numbered" "numbering (list int)"
+    (Printf.sprintf
+       "{| state_count := %d; state_number := fun s => located s 0; numbered_state := pair_state; distance := get distances |}"
+       numbering.state_count)
+
+let run = list (fun (a, state) -> pair (number a) (words state))
+
+let refutation = function
+  | By_event r -> "By_event " ^ run r
+  | By_refusal r -> "By_refusal " ^ run r
+  | By_divergence (r, loop) -> Printf.sprintf "By_divergence %s %s" (run r) (run loop)
 
 let preamble =
   "(* How the evidence is found; nothing here has to be believed. *)\n\
@@ -234,12 +267,19 @@ let prove out statement lemma =
 let event_list (claim : Formats.claim) =
   String.concat "" (List.init (claim.event_count - 2) (fun i -> Printf.sprintf "   %d: %s\n" (i + 2) (comment (claim.event_name (i + 2)))))
 
+(* Finds the evidence: the proof, the nodes of the normal form, and the pairs. *)
+let evidence_for (claim : Formats.claim) ~most =
+  match claim.question with
+  | Refinement _ | Property _ | Determinism _ ->
+      let proof, nodes, found = Certificate_check.prove claim ~most in
+      (proof, nodes, Some found)
+  | Stays_possible | Has_trace | No_refinement _ ->
+      let shown = Certificate_check.show claim ~most in
+      (shown.proof, [||], shown.visited)
+
 let theorem (claim : Formats.claim) ~most =
   let out = Buffer.create 1_000_000 in
-  (match claim.question with
-  | Refinement _ | Property _ -> ()
-  | _ -> raise (Search.Limit "there is no Coq form of claims of this kind"));
-  let proof, nodes, found = Certificate_check.prove claim ~most in
+  let proof, nodes, found = evidence_for claim ~most in
   let terms = Formats.level_of claim.implementation = "term" in
   Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   %s\n\n   Events: 0: tau, 1: tick\n%s*)\n"
     (comment claim.assertion) (comment claim.source) claim.question_text
@@ -248,28 +288,61 @@ let theorem (claim : Formats.claim) ~most =
     (event_list claim);
   Buffer.add_string out Proofs.text;
   Buffer.add_string out preamble;
-  let process_of given = fst (Certificate_check.process_of given ~event_count:claim.event_count ~most) in
-  let write name given subject shape = side out name given subject shape ~process:(process_of given) in
+  let write name given = side out name given (Certificate_check.side_of given ~event_count:claim.event_count ~most) in
+  let write_both () =
+    write "specification" (Option.get claim.specification);
+    write "implementation" claim.implementation
+  in
+  let pairs choose = pairs_of out (Option.get found) ~choose in
   let lts name = if terms then Printf.sprintf "(term_lts bound %s)" name else Printf.sprintf "(system_lts %s)" name in
-  let statement text = if terms then Printf.sprintf "eventually (fun bound => %s)" text else text in
+  let impl_lts = lts "implementation" in
   let data name = if terms then Printf.sprintf "%s %s_split %s_shape" name name name else Printf.sprintf "%s_shape %s" name name in
+  let impl = data "implementation" and both = data "specification" ^ " " ^ data "implementation" in
+  let prove statement theorem data =
+    prove out
+      (if terms then Printf.sprintf "eventually (fun bound => %s)" statement else statement)
+      (Printf.sprintf "%s%s %s" (if terms then "script_" else "") theorem data)
+  in
+  let chosen = "fun n moves => fitting (get node_acceptances n) moves" and unused = "fun _ _ => 0" in
   (match proof with
-  | Certificate_check.Of_refinement (model, spec_shape, spec, shape, impl, _, evidence, _) ->
-      write "specification" (Option.get claim.specification) spec spec_shape;
-      write "implementation" claim.implementation impl shape;
+  | Certificate_check.Of_refinement (model, _, _, _, _, _, evidence, _) ->
+      write_both ();
       normal_form out nodes evidence;
-      pairs_of out found ~choose:"fun n moves => fitting (get node_acceptances n) moves";
+      pairs chosen;
       let m = model_name model in
-      prove out
-        (statement (Printf.sprintf "refines %s %s %s" m (lts "specification") (lts "implementation")))
-        (Printf.sprintf "%s %s %s %s None normal reasons found"
-           (if terms then "scripts_sound" else "refinement_sound")
-           m (data "specification") (data "implementation"))
-  | Of_property (property, shape, impl, _) ->
-      write "implementation" claim.implementation impl shape;
-      pairs_of out found ~choose:"fun _ _ => 0";
+      prove
+        (Printf.sprintf "refines %s %s %s" m (lts "specification") impl_lts)
+        "refinement_sound" (Printf.sprintf "%s %s None normal reasons found" m both)
+  | Of_property (property, _, _, _) ->
+      write "implementation" claim.implementation;
+      pairs unused;
       let p = property_name property in
-      prove out
-        (statement (Printf.sprintf "satisfies %s %s" p (lts "implementation")))
-        (Printf.sprintf "%s %s %s None found" (if terms then "script_property_sound" else "property_sound") p (data "implementation")));
+      prove (Printf.sprintf "satisfies %s %s" p impl_lts) "property_sound" (Printf.sprintf "%s %s None found" p impl)
+  | Of_determinism (model, graph_shape, given, _, _, _, evidence, _) ->
+      write "implementation" claim.implementation;
+      graph out given graph_shape;
+      normal_form out nodes evidence;
+      pairs chosen;
+      let m = model_name model in
+      prove
+        (Printf.sprintf "deterministic %s %s" m impl_lts)
+        "determinism_sound" (Printf.sprintf "%s graph_shape graph %s None normal reasons found" m impl)
+  | Of_possible (goal, _, _, numbering) ->
+      write "implementation" claim.implementation;
+      numbering_of out (Option.get found) numbering;
+      prove
+        (Printf.sprintf "stays_possible (fun a => In a %s) %s" (words goal) impl_lts)
+        "possible_sound" (Printf.sprintf "%s %s numbered" (words goal) impl)
+  | Of_trace (events, _, _, shown) ->
+      write "implementation" claim.implementation;
+      define out "shown" "list (ev * list int)" (run shown);
+      prove (Printf.sprintf "traces %s %s" impl_lts (words events)) "trace_sound" (Printf.sprintf "%s %s shown" (words events) impl)
+  | Of_refutation (model, _, _, _, _, shown, _) ->
+      write_both ();
+      define out "shown" "refutation (list int)" (refutation shown);
+      pairs unused;
+      let m = model_name model in
+      prove
+        (Printf.sprintf "~ refines %s %s %s" m (lts "specification") impl_lts)
+        "refutation_sound" (Printf.sprintf "%s %s shown found" m both));
   Buffer.contents out

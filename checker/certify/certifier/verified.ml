@@ -3267,22 +3267,13 @@ let split_ok d x p =
       (no_repetition (leaves0 x.whole_tree)))
     (forallb (component_ok d x) (seq 0 x.slots))
 
+(** val certify_script : script -> split -> (system -> bool) -> bool **)
+
+let certify_script z0 x check =
+  (&&) (split_ok z0.defines x z0.main) (check (split_system z0.defines x))
+
 (** val certify_scripts :
-    model -> script -> split -> shape -> script -> split -> shape ->
-    reduction option -> normal_form -> Uint63.t list evidence -> Uint63.t
-    list pairs -> bool **)
+    script -> split -> script -> split -> (system -> system -> bool) -> bool **)
 
-let certify_scripts m spec xs hs impl xi hi r n e p =
-  (&&)
-    ((&&) (split_ok spec.defines xs spec.main)
-      (split_ok impl.defines xi impl.main))
-    (certify_refinement m hs (split_system spec.defines xs) hi
-      (split_system impl.defines xi) r n e p)
-
-(** val certify_script :
-    property -> script -> split -> shape -> reduction option -> Uint63.t list
-    pairs -> bool **)
-
-let certify_script p impl xi hi r p0 =
-  (&&) (split_ok impl.defines xi impl.main)
-    (certify_property p hi (split_system impl.defines xi) r p0)
+let certify_scripts spec xs impl xi check =
+  certify_script spec xs (fun s -> certify_script impl xi (check s))

@@ -1025,11 +1025,7 @@ val component_ok : definitions -> split -> int -> bool
 
 val split_ok : definitions -> split -> term -> bool
 
-val certify_scripts :
-  model -> script -> split -> shape -> script -> split -> shape -> reduction
-  option -> normal_form -> Uint63.t list evidence -> Uint63.t list pairs ->
-  bool
+val certify_script : script -> split -> (system -> bool) -> bool
 
-val certify_script :
-  property -> script -> split -> shape -> reduction option -> Uint63.t list
-  pairs -> bool
+val certify_scripts :
+  script -> split -> script -> split -> (system -> system -> bool) -> bool

@@ -133,6 +133,12 @@ Section Morphism.
     destruct (back_reach _ _ _ Rw s eq_refl Gs) as (u & E & Gu & Ru). subst w.
     exists t2, u, a. split; [ exact Ru | split; [ exact Ga |]]. apply morphism_can; assumption.
   Qed.
+  Lemma back_possible : forall G, stays_possible G A -> stays_possible G B.
+  Proof.
+    intros G K t w R. destruct (back_reach _ _ _ R _ f_init good_init) as (s & E & Gs & Rs). subst w.
+    destruct (K t s Rs) as (t2 & u & a & Ru & Ga & C). destruct (morphism_reach _ _ _ Ru Gs) as [R' Gu].
+    exists t2, (f u), a. split; [ exact R' | split; [ exact Ga |]]. apply morphism_can; assumption.
+  Qed.
 End Morphism.
 
 (** Bits of a word. *)

@@ -756,7 +756,7 @@ Section Both_ways.
     - apply (back_refines (system_lts Y) (term_lts bound Z) f (in_range X) start_in_range stays_in_range split_init split_step). apply refines_refl.
     - apply (morphism_refines (system_lts Y) (term_lts bound Z) f (in_range X) start_in_range stays_in_range split_init split_step). apply refines_refl.
   Qed.
-  Theorem split_satisfies : forall p, satisfies p (system_lts Y) -> satisfies p (term_lts bound Z).
+  Lemma split_satisfies : forall p, satisfies p (system_lts Y) -> satisfies p (term_lts bound Z).
   Proof.
     assert (B : forall t w, reach (term_lts bound Z) (init (term_lts bound Z)) t w ->
       exists u, w = f u /\ in_range X u /\ reach (system_lts Y) (init (system_lts Y)) t u).
@@ -769,4 +769,19 @@ Section Both_ways.
       exact (back_diverges (system_lts Y) (term_lts bound Z) f (in_range X) stays_in_range split_step u G V). }
     intros []; cbn; tauto.
   Qed.
+  Lemma split_possible : forall G, stays_possible G (system_lts Y) -> stays_possible G (term_lts bound Z).
+  Proof.
+    exact (back_possible (system_lts Y) (term_lts bound Z) f (in_range X) start_in_range stays_in_range split_init split_step).
+  Qed.
 End Both_ways.
+
+(* For bounds that are large enough, all claims about the system are true for the term. *)
+Definition alike {S S'} (P : lts S) (Q : lts S') : Prop :=
+  (forall m, refines m P Q /\ refines m Q P) /\ (forall p, satisfies p P -> satisfies p Q) /\
+  (forall G, stays_possible G P -> stays_possible G Q).
+Theorem split_alike : forall Z X, split_ok (defines Z) X (main Z) = true ->
+  eventually (fun bound => alike (system_lts (split_system (defines Z) X)) (term_lts bound Z)).
+Proof.
+  intros Z X ok. exists (enough X + height (whole_tree X))%nat. intros bound L.
+  exact (conj (split_refines Z X ok bound L) (conj (split_satisfies Z X ok bound L) (split_possible Z X ok bound L))).
+Qed.

@@ -577,21 +577,26 @@ let term_of_file (t : Formats.script_text) =
     | Prioritise (o, p) -> Pri (order o, term p) in
   (term main, term_steps (memo (fun k -> term (defines.body k))))
 
-(* Both kinds of processes with their oracles, for which the type of states is different. *)
-type side_truth = Of_process of (int list * (int list -> (int * int list) list)) | Of_term of (random_term * (random_term -> (int * random_term) list))
-let truth_of_file = function
-  | Formats.Compiled p -> let p = process_of p in Of_process (p.initial, successors p)
-  | Formats.Term t -> Of_term (term_of_file t)
-let truth question spec impl =
-  match (question, spec, impl) with
-  | Formats.Refinement m, Some (Of_process s), Of_process i -> refinement_holds m s i
-  | Formats.Refinement m, Some (Of_term s), Of_term i -> refinement_holds m s i
-  | Formats.Property p, None, Of_process i -> property_holds p i
-  | Formats.Property p, None, Of_term i -> property_holds p i
+(* A process as the oracles see it: its initial state, and the transitions of its states. *)
+type behaviour = Behaviour : 'state * ('state -> (int * 'state) list) -> behaviour
+let of_process p = Behaviour (p.initial, successors p)
+let of_term t = Behaviour (t.root, term_steps (Array.get t.bodies))
+let of_file = function
+  | Formats.Compiled p -> of_process (process_of p)
+  | Formats.Term t -> let main, steps = term_of_file t in Behaviour (main, steps)
+let truth ?(events = []) question spec (Behaviour (start, steps)) =
+  let impl = (start, steps) in
+  match (question, spec) with
+  | Formats.Refinement m, Some (Behaviour (s, next)) -> refinement_holds m (s, next) impl
+  | No_refinement m, Some (Behaviour (s, next)) -> not (refinement_holds m (s, next) impl)
+  | Property p, None -> property_holds p impl
+  | Determinism m, None -> is_deterministic m impl
+  | Stays_possible, None -> stays_possible events impl
+  | Has_trace, None -> has_trace events impl
   | _ -> false
 
 let truth_in_files question (claim : Formats.claim) =
-  truth question (Option.map truth_of_file claim.specification) (truth_of_file claim.implementation)
+  truth question (Option.map of_file claim.specification) (of_file claim.implementation)
 
 (* Splits that forget or confuse what a term does. The search then works with the components that they give. *)
 let split_forges : (split -> split) list =
@@ -915,8 +920,7 @@ let attack_symmetric seed trial =
   let attack question spec_of =
     let claim_about p = claim_of question (Option.map text spec_of) (text p) in
     let truth p =
-      let oracle p = Of_process (p.initial, successors p) in
-      truth question (Option.map oracle spec_of) (oracle p)
+      truth question (Option.map of_process spec_of) (of_process p)
     in
     List.iter (fun p -> judge_honest seed trial (claim_about p) (truth p)) (process :: others);
     match exchanges_in (claim_about process) ~indifferent:(fun _ -> true) with
@@ -941,7 +945,7 @@ let attack_symmetric seed trial =
   List.iter (fun m -> attack (Formats.Refinement m) (Some spec)) [ T; F; FD ];
   List.iter (fun p -> attack (Formats.Property p) None) [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ]
 
-(** Claims about compiled processes alone: determinism, events that stay possible, traces, and refinements that fail. *)
+(** Determinism, events that stay possible, traces, and refinements that fail. *)
 
 let random_run (lts : Search.words lts) =
   let rec go s left = match lts.succ0 s with
@@ -966,29 +970,30 @@ let forged_numbering (n : int list numbering) =
   | 2 -> { n with state_count = Random.int (n.state_count + 1); state_number = (fun s -> min (n.state_number s) (Random.int (n.state_count + 1))) }
   | _ -> { n with numbered_state = (fun j -> lie j (n.numbered_state j) (fun r -> n.numbered_state (r mod (j + 1)))); distance = (fun j -> lie (-j) (n.distance j) (fun r -> r mod 5)) }
 
-(* Evidence for a claim of this kind, right or wrong. *)
+(* Evidence for a claim of this kind, right or wrong, also for a term that is split wrongly. *)
 let forged_evidence (claim : Formats.claim) () =
-  let impl = Certificate_check.compiled claim.implementation in
-  let shape = Certificate_check.shape_of impl claim.event_count in
-  let lts = compact shape impl.system in
-  let name = string_of_int and width = Certificate_check.width shape in
+  let split_forge = if Random.bool () then Fun.id else pick split_forges in
+  let side_of given = Certificate_check.side_of ~forge:split_forge given ~event_count:claim.event_count ~most in
+  let impl = side_of claim.implementation in
+  let lts = Certificate_check.lts_of impl in
+  let name = string_of_int and width = Certificate_check.width impl.shape in
   let proof : Certificate_check.proof = match (claim.question, claim.specification) with
     | Formats.Stays_possible, _ ->
         let found, distance, _ = Search.distances lts width claim.events ~most ~name ~state_name:(fun _ -> "") in
-        Of_possible (claim.events, shape, impl.system, forged_numbering (Search.numbering_of found distance))
-    | Has_trace, _ -> Of_trace (claim.events, shape, impl.system, let run = random_run lts in if Random.bool () then broken_run run else run)
+        Of_possible (claim.events, impl.shape, impl.subject, forged_numbering (Search.numbering_of found distance))
+    | Has_trace, _ -> Of_trace (claim.events, impl.shape, impl.subject, let run = random_run lts in if Random.bool () then broken_run run else run)
     | No_refinement model, Some spec ->
         let run = random_run lts in
         let run = if Random.int 3 = 0 then broken_run run else run in
         let loop = List.filter (fun (a, _) -> a = 0) (random_run lts) in
         let performs, refutation = pick [ (true, By_event run); (false, By_refusal run); (false, By_divergence (run, loop)) ] in
         let proof, _ =
-          Certificate_check.refutation_of ~lenient:true claim model (Certificate_check.compiled spec)
+          Certificate_check.refutation_of ~lenient:true claim model (side_of spec) impl
             (Certificate_check.shown_by run performs refutation) ~most in
         if Random.bool () then proof
         else (match proof with
           | Of_refutation (m, hs, s, hi, i, r, p) ->
-              (match lying (Certificate_check.Of_property (Deadlock_free, hi, System i, p)) with
+              (match lying (Certificate_check.Of_property (Deadlock_free, hi, i, p)) with
               | Of_property (_, _, _, p) -> Of_refutation (m, hs, s, hi, i, r, p)
               | other -> other)
           | other -> other)
@@ -998,27 +1003,35 @@ let forged_evidence (claim : Formats.claim) () =
           let change row = List.filter_map (fun (a, j) -> match Random.int 4 with 0 -> None | 1 -> Some (a, Random.int count) | _ -> Some (a, j)) row in
           let more row = if Random.bool () then row else (1 + Random.int 6, Random.int count) :: row in
           Array.map (fun row -> more (change row)) rows in
-        let plan = Certificate_check.plan_of ~forge:(pick forges) ~forge_graph claim ~most in
+        let plan = Certificate_check.plan_of ~forge:(pick forges) ~split_forge ~forge_graph claim ~most in
         plan.completed (Search.pairs_record (Certificate_check.search_pairs ~lenient:true plan ~most) plan.choose)
     | _ -> raise Not_found in
   Certificate_check.accepted proof
 
-let attack_shown seed trial question ?(events = []) spec impl truth =
-  let claim = claim_of ~events question spec impl in
+let attack_shown seed trial question ?events spec_text impl_text truth =
+  let claim = claim_of ?events question spec_text impl_text in
   judge_honest seed trial claim truth;
-  for _ = 1 to 12 do
-    if accepted_attack (forged_evidence claim) then if truth then incr lies_accepted else report_wrong "forged evidence" seed trial
-  done
+  let judge what attempt = if accepted_attack attempt then if truth then incr lies_accepted else report_wrong what seed trial in
+  for _ = 1 to 12 do judge "forged evidence" (forged_evidence claim) done;
+  let honest split_forge () =
+    let proof = match question with
+      | Formats.Determinism _ -> let proof, _, _ = Certificate_check.prove ~lenient:true ~split_forge claim ~most in proof
+      | _ -> (Certificate_check.show ~split_forge claim ~most).proof in
+    Certificate_check.accepted proof in
+  if Formats.level_of claim.implementation = "term" then
+    List.iter (fun split_forge -> judge "a forged split" (honest split_forge)) split_forges
 
-let attack_all_shown seed trial spec impl =
-  let process p = (p.initial, successors p) in
+let attack_all_shown seed trial (spec_text, spec) (impl_text, impl) =
   let some_events = List.filter (fun _ -> Random.int 3 = 0) [ 1; 2; 3; 4; 5; 6 ] in
   let trace = times (Random.int 4) (fun () -> 1 + Random.int 6) in
-  let shown = attack_shown seed trial in
-  List.iter (fun m -> shown (Formats.Determinism m) None (text impl) (is_deterministic m (process impl))) [ F; FD ];
-  shown Formats.Stays_possible ~events:some_events None (text impl) (stays_possible some_events (process impl));
-  shown Formats.Has_trace ~events:trace None (text impl) (has_trace trace (process impl));
-  List.iter (fun m -> shown (Formats.No_refinement m) (Some (text spec)) (text impl) (not (refinement_holds m (process spec) (process impl)))) [ T; F; FD ]
+  let about_one ?events question = attack_shown seed trial question ?events None impl_text (truth ?events question None impl) in
+  about_one (Determinism F);
+  about_one (Determinism FD);
+  about_one Stays_possible ~events:some_events;
+  about_one Has_trace ~events:trace;
+  List.iter (fun m ->
+    let question = Formats.No_refinement m in
+    attack_shown seed trial question (Some spec_text) impl_text (truth question (Some spec) impl)) [ T; F; FD ]
 
 let attack_trial seed trial ~all =
   let attack_both (spec_text, spec_truth) (impl_text, impl_truth) =
@@ -1031,14 +1044,15 @@ let attack_trial seed trial ~all =
       [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ] in
   let spec = random_process ~busy:(not all) in
   let impl = if Random.int 7 = 0 then random_process ~busy:(not all) else if all || Random.bool () then mutated spec else extended spec in
-  let compiled p = (text p, Of_process (p.initial, successors p)) in
+  let compiled p = (text p, of_process p) in
   attack_both (compiled spec) (compiled impl);
   if all then begin
-    attack_all_shown seed trial spec impl;
+    attack_all_shown seed trial (compiled spec) (compiled impl);
     let spec = small random_script in
     let impl = small (fun () -> if Random.int 7 = 0 then random_script () else mutated_script spec) in
-    let term t = (script_text t, Of_term (t.root, term_steps (Array.get t.bodies))) in
-    attack_both (term spec) (term impl)
+    let term t = (script_text t, of_term t) in
+    attack_both (term spec) (term impl);
+    attack_all_shown seed trial (term spec) (term impl)
   end
 
 let () =
