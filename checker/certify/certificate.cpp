@@ -21,7 +21,6 @@ using cspm::Assertion;
 using cspm::AssertionKind;
 
 constexpr const char* refinement_in_divergences = "refinement in the failures-divergences model";
-constexpr const char* product_claim = "certificates of this kind of claim are about compiled processes";
 
 /// A claim in the words of a certificate, or the reason why there are no certificates for it.
 struct Words {
@@ -82,13 +81,7 @@ CertificateResult none(std::string reason) {
     return {std::nullopt, std::move(reason)};
 }
 
-/// Returns true if there are certificates at the term level for assertions of this kind.
-bool has_term_level(const Assertion& assertion) {
-    return !assertion.negated && assertion.kind != AssertionKind::deterministic &&
-           assertion.kind != AssertionKind::has_trace;
-}
-
-/// A process of an assertion.
+/// A process of a claim.
 struct Side {
     process::TermId term;
     diagnostics::Span span;
@@ -110,8 +103,7 @@ TermText text_of_term(cspm::Session& session, const Side& side, const refine::Li
     }
 }
 
-/// Replaces the compiled processes of a certificate by their terms if all of them can be written. There is a second
-/// side if the assertion is a refinement.
+/// Replaces the compiled processes of a certificate by their terms if all of them can be written.
 void replace_by_terms(cspm::Session& session, const std::vector<Side>& sides, const refine::Limits& limits,
                       diagnostics::Pollable& budget, Certificate& certificate) {
     std::vector<std::string> texts;
@@ -124,6 +116,26 @@ void replace_by_terms(cspm::Session& session, const std::vector<Side>& sides, co
     certificate.level = Level::term;
     if (sides.size() == 2) certificate.specification = std::move(texts.front());
     certificate.implementation = std::move(texts.back());
+}
+
+/// Returns a certificate without a claim, or none if a process is too large. It contains the terms of the sides if
+/// `highest` permits this and all terms can be written, and the compiled processes otherwise. There are two sides if
+/// the claim is about a refinement.
+std::optional<Certificate> certificate_of(cspm::Session& session, const std::vector<Side>& sides,
+                                          const refine::Limits& limits, diagnostics::Pollable& budget, Level highest) {
+    std::vector<std::string> texts;
+    for (const Side& side : sides) {
+        std::optional<std::string> text =
+            process_text(*session.whole_system(side.term, side.span, limits), session.terms(), budget);
+        if (!text) return std::nullopt;
+        texts.push_back(std::move(*text));
+    }
+    Certificate result;
+    result.level = Level::product;
+    if (sides.size() == 2) result.specification = std::move(texts.front());
+    result.implementation = std::move(texts.back());
+    if (highest == Level::term) replace_by_terms(session, sides, limits, budget, result);
+    return result;
 }
 
 /// Adds the claim to a certificate that has its other files.
@@ -145,43 +157,26 @@ CertificateResult make_from_sides(const std::string& words, cspm::Session& sessi
     std::vector<cspm::ExprPtr> expressions{assertion.specification};
     if (assertion.kind == AssertionKind::refinement) expressions.push_back(assertion.implementation);
     std::vector<Side> sides;
-    std::vector<std::string> texts;
-    for (const cspm::ExprPtr& expression : expressions) {
-        const Side side{session.side(expression, declaration, limits), expression->span};
-        sides.push_back(side);
-        std::optional<std::string> text =
-            process_text(*session.whole_system(side.term, side.span, limits), session.terms(), budget);
-        if (!text) return too_large();
-        texts.push_back(std::move(*text));
-    }
-    Certificate result;
-    result.level = Level::product;
+    for (const cspm::ExprPtr& expression : expressions)
+        sides.push_back({session.side(expression, declaration, limits), expression->span});
+    std::optional<Certificate> result = certificate_of(session, sides, limits, budget, highest);
+    if (!result) return too_large();
     if (assertion.kind == AssertionKind::has_trace)
-        result.specification = event_list_text(session.event_table(), session.trace(declaration));
-    if (sides.size() == 2) result.specification = std::move(texts.front());
-    result.implementation = std::move(texts.back());
-    if (!has_term_level(assertion))
-        result.why_product = product_claim;
-    else if (highest == Level::term)
-        replace_by_terms(session, sides, limits, budget, result);
-    return with_claim(words, cspm::print(declaration), source, session, std::move(result));
+        result->specification = event_list_text(session.event_table(), session.trace(declaration));
+    return with_claim(words, cspm::print(declaration), source, session, std::move(*result));
 }
 
 CertificateResult make_from_goal(cspm::Session& session, const StaysPossible& claim, const std::string& source,
-                                 const refine::Limits& limits) {
+                                 const refine::Limits& limits, Level highest) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
-    std::optional<std::string> process =
-        process_text(*session.whole_system(claim.process, limits), session.terms(), budget);
-    if (!process) return too_large();
-    Certificate result;
-    result.level = Level::product;
-    result.why_product = product_claim;
-    result.implementation = std::move(*process);
+    const Side side{session.process(claim.process, limits), claim.process->span};
+    std::optional<Certificate> result = certificate_of(session, {side}, limits, budget, highest);
+    if (!result) return too_large();
     const process::EventSet goal = session.events(claim.goal);
-    result.specification = event_list_text(session.event_table(), {goal.begin(), goal.end()});
+    result->specification = event_list_text(session.event_table(), {goal.begin(), goal.end()});
     const std::string statement =
         fmt::format("an event of {} stays possible in {}", cspm::print(claim.goal), cspm::print(claim.process));
-    return with_claim("one of the events stays possible", statement, source, session, std::move(result));
+    return with_claim("one of the events stays possible", statement, source, session, std::move(*result));
 }
 
 }  // namespace
@@ -203,9 +198,9 @@ CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& ass
 }
 
 CertificateResult make_certificate(cspm::Session& session, const StaysPossible& claim, const std::string& source,
-                                   const refine::Limits& limits) {
+                                   const refine::Limits& limits, Level highest) {
     try {
-        return make_from_goal(session, claim, source, limits);
+        return make_from_goal(session, claim, source, limits, highest);
     } catch (const process::Interrupted& limit) {
         return none(limit.what());
     }

@@ -51,7 +51,7 @@ struct CertificateResult {
 };
 
 /// Compiles the processes of an assertion again, without minimisation, and returns its certificate. The certificate is
-/// at the term level if both terms can be written (term_text.hpp) and `highest` permits it. Does not check that the
+/// at the term level if all terms can be written (term_text.hpp) and `highest` permits it. Does not check that the
 /// assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
                                                  const std::string& source, const refine::Limits& limits,
@@ -70,7 +70,8 @@ struct StaysPossible {
 
 /// Does the same for this claim, which no assertion states.
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const StaysPossible& claim,
-                                                 const std::string& source, const refine::Limits& limits);
+                                                 const std::string& source, const refine::Limits& limits,
+                                                 Level highest = Level::term);
 
 /// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
 /// files. So an incomplete folder of a run that was stopped is not taken for a certificate. Returns "" on success, and

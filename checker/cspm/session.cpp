@@ -709,6 +709,12 @@ process::TermId Session::process(const ExprPtr& expr) {
                                       [&] { return impl_->loaded.evaluator.process(*ready.code, *ready.unit); });
 }
 
+process::TermId Session::process(const ExprPtr& expr, const refine::Limits& limits) {
+    refine::Budget budget(limits, refine::Progress::Phase::compiling);
+    const Impl::Polling polling(*impl_, budget);
+    return process(expr);
+}
+
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr) {
     return impl_->loaded.evaluated_at(expr->span,
                                       [&] { return impl_->system(process(expr), expr->span, diagnostics::unlimited); });

@@ -90,6 +90,8 @@ public:
 
     /// Returns the process that an expression in the script's global scope denotes.
     [[nodiscard]] process::TermId process(const ExprPtr&);
+    /// Evaluates the process within limits. Throws process::Interrupted if a limit is reached.
+    [[nodiscard]] process::TermId process(const ExprPtr&, const refine::Limits&);
     /// Returns the process as a transition system. The system uses the events of this session, so the session must
     /// outlive it.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);

@@ -19,6 +19,7 @@
 #include "base/cache/sha256.hpp"
 #include "checker/certify/certificate.hpp"
 #include "checker/certify/process_text.hpp"
+#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/support.hpp"
 #include "tests/checker/processes/random_cases.hpp"
@@ -82,6 +83,15 @@ public:
     [[nodiscard]] CertificateResult certificate(std::size_t number, const std::string& source = "test",
                                                 Level highest = Level::term) {
         return make_certificate(*session_, *assertions_.at(number), source, {}, highest);
+    }
+    /// Returns the certificate that an event of the goal, which is a set of channels, stays possible in a process.
+    [[nodiscard]] CertificateResult possible(const std::string& process, const std::vector<std::string>& goal,
+                                             Level highest = Level::term) {
+        std::vector<cspm::ExprPtr> channels;
+        channels.reserve(goal.size());
+        for (const std::string& channel : goal) channels.push_back(cspm::build::name(channel));
+        const StaysPossible claim{cspm::build::name(process), cspm::build::set(std::move(channels))};
+        return make_certificate(*session_, claim, "test", {}, highest);
     }
 
 private:
@@ -178,8 +188,9 @@ TEST(Certificates, AreNotMadeForOtherKindsOfAssertions) {
 
 /// Determinism, traces, refinements that fail, timed sections and tau priority. The second assertion of each pair is
 /// false: CHOICE may refuse `b` after <>, although <b> is a trace; it has no trace <c>; and CHOICE refines RUN({a, b})
-/// in T. LATE can perform `tock` in place of its tau, unless tau has priority.
+/// in T. LATE can perform `tock` in place of its tau, unless tau has priority. Each claim is certified at both levels.
 TEST(Certificates, OfFurtherClaimsAreAcceptedIfTheyAreTrue) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
     Opened script(
         "channel a, b, c, tock\nP = a -> b -> P\nCHOICE = a -> CHOICE |~| b -> CHOICE\n"
         "VISIBLE = c -> STOP [] tock -> VISIBLE\nLATE = VISIBLE \\ {c}\n"
@@ -189,15 +200,50 @@ TEST(Certificates, OfFurtherClaimsAreAcceptedIfTheyAreTrue) {
         "assert not RUN({a, b}) [F= CHOICE\nassert not CHOICE [FD= P\n"
         "assert STOP [T= LATE :[tau priority]: {tock}\nassert STOP [T= LATE\n"
         "Timed(\\ _ @ 1) {\nQ = a -> Q\nassert Q :[divergence free]\nassert STOP [T= Q\n}\n");
+    for (const Level level : {Level::term, Level::product}) {
+        const tests::TemporaryFolder folder;
+        for (std::size_t i = 0; i < 12; ++i) {
+            const CertificateResult result = script.certificate(i, "test", level);
+            ASSERT_TRUE(result.certificate) << i << result.reason;
+            EXPECT_EQ(result.certificate->level, level) << i << result.certificate->why_product;
+            ASSERT_EQ(write_certificate(folder.path(), fmt::format("{:02}", i), *result.certificate, nullptr), "");
+        }
+        const Ran ran = certify(folder.path());
+        for (std::size_t i = 0; i < 12; ++i)
+            EXPECT_EQ(answers_in(ran.out).at(fmt::format("{:02}", i)), i % 2 == 0) << i << ran.out;
+    }
+}
+
+const std::string lamps =
+    "external chase\nchannel on, off, broken, hidden\nLAMP = on -> off -> LAMP\nFRAIL = LAMP /\\ broken -> STOP\n"
+    "TWO = (LAMP ||| LAMP [[on <- hidden]]) \\ {hidden}\nCHASED = chase(TWO)\n";
+
+/// FRAIL can lose its events, but it can be broken until then.
+TEST(Certificates, OfEventsThatStayPossibleAreAcceptedIfTheyAreTrue) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(lamps);
     const tests::TemporaryFolder folder;
-    for (std::size_t i = 0; i < 12; ++i) {
-        const CertificateResult result = script.certificate(i);
-        ASSERT_TRUE(result.certificate) << i << result.reason;
-        ASSERT_EQ(write_certificate(folder.path(), fmt::format("{:02}", i), *result.certificate, nullptr), "");
+    std::map<std::string, bool> truth;
+    const auto write = [&](const std::string& name, const CertificateResult& result, bool holds) {
+        ASSERT_TRUE(result.certificate) << result.reason;
+        ASSERT_EQ(write_certificate(folder.path(), name, *result.certificate, nullptr), "");
+        truth[name] = holds;
+    };
+    for (const Level level : {Level::term, Level::product}) {
+        const std::string name = level_name(level);
+        write("lamp-" + name, script.possible("LAMP", {"on"}, level), true);
+        write("two-" + name, script.possible("TWO", {"broken", "on"}, level), true);
+        write("frail-" + name, script.possible("FRAIL", {"on", "off"}, level), false);
+        write("never-" + name, script.possible("TWO", {"broken"}, level), false);
+        EXPECT_EQ(script.possible("TWO", {"on"}, level).certificate->level, level);
     }
     const Ran ran = certify(folder.path());
-    for (std::size_t i = 0; i < 12; ++i)
-        EXPECT_EQ(answers_in(ran.out).at(fmt::format("{:02}", i)), i % 2 == 0) << i << ran.out;
+    EXPECT_EQ(answers_in(ran.out), truth) << ran.out;
+    EXPECT_NE(ran.out.find("/two-term: test: term level, "), std::string::npos) << ran.out;
+    const CertificateResult chased = script.possible("CHASED", {"on"});
+    ASSERT_TRUE(chased.certificate) << chased.reason;
+    EXPECT_EQ(chased.certificate->level, Level::product);
+    EXPECT_EQ(chased.certificate->why_product, "it uses chase");
 }
 
 TEST(Certificates, HaveTextsWithoutControlCharacters) {
@@ -396,30 +442,85 @@ TEST(Certificates, AreCheckedWithFewerPairsIfComponentsAreEqual) {
         << ran.out;
 }
 
-/// The file with the theorem needs only Coq, no other files.
+/// Returns the theorem of a certificate in the Coq form.
+std::string coq_form(const std::string& folder, const Certificate& certificate) {
+    EXPECT_EQ(write_certificate(folder, "1", certificate, nullptr), "");
+    const Ran made = certify(folder + "/1", "--coq");
+    EXPECT_EQ(made.exit, 0) << made.out;
+    return made.out;
+}
+
+/// The file with the theorem needs only Coq, no other files. The proofs are the same in each file and take the most
+/// time. So one file is compiled as it is, and the definitions of the other files follow as modules.
 TEST(Certificates, BecomeTheoremsOfCoq) {
     if (certifier.empty()) GTEST_SKIP() << no_certifier;
     if (coq.empty()) GTEST_SKIP() << "there is no coqc";  // it is large, so scripts/setup.sh does not install it
-    Opened script(two_cells);
+    Opened script(two_cells +
+                  "assert PAIR :[deterministic [F]]\nassert PAIR :[has trace [T]]: <in, in, out>\n"
+                  "assert not STOP [FD= ONE\nassert not ONE [F= STOP\nassert not STOP [FD= ONE \\ {in}\n");
+    std::string text;
+    std::size_t theorems = 0;
+    const auto add = [&](const CertificateResult& result, Level level, const std::string& theorem) {
+        ASSERT_TRUE(result.certificate) << result.reason;
+        EXPECT_EQ(result.certificate->level, level) << theorem;
+        const tests::TemporaryFolder folder;
+        const std::string file = coq_form(folder.path(), *result.certificate);
+        const std::string statement =
+            level == Level::term ? fmt::format("eventually (fun bound => {})", theorem) : theorem;
+        EXPECT_NE(file.find(fmt::format("\nTheorem holds : {}.\n", statement)), std::string::npos)
+            << statement << file.substr(std::min(file.find("\nTheorem holds"), file.size()));
+        const std::size_t own = file.find("(* How the evidence is found");
+        ASSERT_NE(own, std::string::npos);
+        text +=
+            text.empty() ? file : fmt::format("\nModule Other{0}.\n{1}\nEnd Other{0}.\n", theorems, file.substr(own));
+        ++theorems;
+    };
+    for (const Level level : {Level::term, Level::product}) {
+        const auto process = [&](const std::string& name) {
+            return level == Level::term ? fmt::format("(term_lts bound {})", name)
+                                        : fmt::format("(system_lts {})", name);
+        };
+        const std::string spec = process("specification");
+        const std::string impl = process("implementation");
+        const auto certificate = [&](std::size_t number) { return script.certificate(number, "test", level); };
+        add(certificate(0), level, "satisfies Deadlock_free " + impl);
+        add(certificate(1), level, fmt::format("refines T {} {}", spec, impl));
+        add(certificate(3), level, "deterministic FD " + impl);
+        add(certificate(5), level, "deterministic F " + impl);
+        add(certificate(6), level, fmt::format("traces {} (2 :: 2 :: 3 :: nil)", impl));
+        add(certificate(2), level, fmt::format("~ refines T {} {}", spec, impl));
+        add(certificate(7), level, fmt::format("~ refines FD {} {}", spec, impl));
+        add(certificate(8), level, fmt::format("~ refines F {} {}", spec, impl));
+        add(certificate(9), level, fmt::format("~ refines FD {} {}", spec, impl));
+        add(script.possible("PAIR", {"out"}, level), level,
+            fmt::format("stays_possible (fun a => In a (2 :: nil)) {}", impl));
+    }
     const tests::TemporaryFolder folder;
-    const std::vector<std::pair<std::size_t, Level>> cases{
-        {0U, Level::term}, {1U, Level::term}, {1U, Level::product}, {4U, Level::term}};
-    for (const auto& [number, level] : cases) {
-        const std::string name = fmt::format("{}_{}", number, level_name(level));
-        ASSERT_EQ(
-            write_certificate(folder.path(), name, *script.certificate(number, "test", level).certificate, nullptr),
-            "");
-        const Ran made = certify(folder.in(name), "--coq");
-        if (number == 4U) {
-            EXPECT_EQ(made.exit, 1) << made.out;
-            continue;
-        }
-        ASSERT_EQ(made.exit, 0) << made.out;
-        const std::string file = folder.write(fmt::format("Holds{}.v", name), made.out);
-        const Ran ran = run(fmt::format("cd '{}' && '{}' -q '{}' 2>&1", folder.path(), coq, file));
-        EXPECT_EQ(ran.exit, 0) << ran.out;
-        EXPECT_NE(ran.out.find("Axioms:\n"), std::string::npos) << ran.out;
-        EXPECT_EQ(ran.out.find("holds"), std::string::npos) << ran.out;
+    const std::string file = folder.write("Holds.v", text);
+    const Ran ran = run(fmt::format("cd '{}' && '{}' -q '{}' 2>&1", folder.path(), coq, file));
+    EXPECT_EQ(ran.exit, 0) << ran.out;
+    EXPECT_EQ(ran.out.find("holds"), std::string::npos) << ran.out;
+    std::size_t printed = 0;
+    for (std::size_t at = 0; (at = ran.out.find("Axioms:\n", at)) != std::string::npos; ++at) ++printed;
+    EXPECT_EQ(printed, theorems) << ran.out;
+}
+
+/// A claim that fails does not become a theorem.
+TEST(Certificates, HaveNoCoqFormIfTheClaimFails) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(two_cells +
+                  "assert SPEC :[deterministic]\nassert ONE :[has trace [T]]: <out>\nassert not ONE [T= ONE\n");
+    const auto is_refused = [](const CertificateResult& result) {
+        ASSERT_TRUE(result.certificate) << result.reason;
+        const tests::TemporaryFolder folder;
+        ASSERT_EQ(write_certificate(folder.path(), "1", *result.certificate, nullptr), "");
+        const Ran made = certify(folder.in("1"), "--coq");
+        EXPECT_EQ(made.exit, 1) << made.out;
+        EXPECT_TRUE(made.out.starts_with("robochart-certify: ")) << made.out;
+    };
+    for (const Level level : {Level::term, Level::product}) {
+        for (const std::size_t number : {4U, 5U, 6U, 7U}) is_refused(script.certificate(number, "test", level));
+        is_refused(script.possible("ONE", {"out"}, level));
     }
 }
 
@@ -442,10 +543,7 @@ TEST(Certificates, OfRandomScriptsAreAcceptedIfAndOnlyIfTheClaimHolds) {
             const std::string name = fmt::format("{}-{}", question, level_name(highest));
             ASSERT_EQ(write_certificate(folder.path(), name, *result.certificate, nullptr), "");
             truth[name] = expected(refine::questions()[question], explored.graphs, explored.test_case.trace);
-            const auto kind = refine::questions()[question].kind;
-            const bool only_product =
-                kind == refine::Question::Kind::deterministic || kind == refine::Question::Kind::has_trace;
-            if (!only_product) ++levels[result.certificate->level];
+            ++levels[result.certificate->level];
         };
         for (std::size_t i = 0; i < refine::questions().size(); ++i) {
             write(i, Level::term);
