@@ -947,11 +947,18 @@ let attack_symmetric seed trial =
 
 (** Determinism, events that stay possible, traces, and refinements that fail. *)
 
-let random_run (lts : Search.words lts) =
+let random_run ?from (lts : Search.words lts) =
   let rec go s left = match lts.succ0 s with
     | [] -> []
     | moves -> if left = 0 then [] else let a, u = pick moves in (a, u) :: go u (left - 1) in
-  go lts.init (Random.int 5)
+  go (Option.value ~default:lts.init from) (Random.int 5)
+
+(* A run from a state, which ends when it is back in this state. *)
+let random_loop lts state =
+  let rec until_back = function
+    | [] -> []
+    | (a, u) :: rest -> (a, u) :: if u = state then [] else until_back rest in
+  until_back (random_run ~from:state lts)
 
 (* A run in which one move leads elsewhere. *)
 let broken_run run =
@@ -985,7 +992,8 @@ let forged_evidence (claim : Formats.claim) () =
     | No_refinement model, Some spec ->
         let run = random_run lts in
         let run = if Random.int 3 = 0 then broken_run run else run in
-        let loop = List.filter (fun (a, _) -> a = 0) (random_run lts) in
+        let loop = random_loop lts (List.fold_left (fun _ (_, u) -> u) lts.init run) in
+        let loop = if Random.bool () then List.filter (fun (a, _) -> a = 0) loop else loop in
         let performs, refutation = pick [ (true, By_event run); (false, By_refusal run); (false, By_divergence (run, loop)) ] in
         let proof, _ =
           Certificate_check.refutation_of ~lenient:true claim model (side_of spec) impl
@@ -1002,7 +1010,9 @@ let forged_evidence (claim : Formats.claim) () =
           let count = Array.length rows in
           let change row = List.filter_map (fun (a, j) -> match Random.int 4 with 0 -> None | 1 -> Some (a, Random.int count) | _ -> Some (a, j)) row in
           let more row = if Random.bool () then row else (1 + Random.int 6, Random.int count) :: row in
-          Array.map (fun row -> more (change row)) rows in
+          (* Other events follow tick. *)
+          let unfinished row = if List.mem_assoc 1 row then row @ [ (2 + Random.int 5, Random.int count) ] else row in
+          if Random.int 3 = 0 then Array.map unfinished rows else Array.map (fun row -> more (change row)) rows in
         let plan = Certificate_check.plan_of ~forge:(pick forges) ~split_forge ~forge_graph claim ~most in
         plan.completed (Search.pairs_record (Certificate_check.search_pairs ~lenient:true plan ~most) plan.choose)
     | _ -> raise Not_found in
