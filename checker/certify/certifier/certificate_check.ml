@@ -251,7 +251,10 @@ let reduction_for (claim : Formats.claim) plan =
     let only g = { confluent = None; symmetric = [ g ]; turns = (fun _ -> []) } in
     let indifferent g = match normal with None -> true | Some normal -> indifferent_ok (only g) normal in
     let confluent = Follow.steps_of system process.sizes layout (compact plan.shape process.system) ~any in
-    let exchanges = Symmetric.exchanges_of system process.sizes representative layout (Follow.fields_of layout) plan.nodes indifferent in
+    let exchanges =
+      if not (plain system) then None
+      else Symmetric.exchanges_of system process.sizes representative layout (Follow.fields_of layout) plan.nodes indifferent
+    in
     match (confluent, exchanges) with
     | None, None -> None
     | Some _, None -> Some ({ confluent; symmetric = []; turns = (fun _ -> []) }, [ "confluent taus" ])

@@ -403,7 +403,7 @@ let instead_in (nodes : Search.node array) old_name =
 (* Returns exchanges of replicas, if there are some. `indifferent` tests the specification, if there is one. *)
 let exchanges_of (process : system) sizes representative (layout : layout) fields nodes indifferent =
   let whole = node_of process.whole in
-  if requirements whole > most_requirements || not (plain process) then None
+  if requirements whole > most_requirements then None
   else
     let start = Array.of_list process.start in
     let sizes = Array.of_list sizes in

@@ -817,8 +817,8 @@ let attack_question ~all seed trial question spec_text impl_text truth =
 let shuffled l = List.map snd (List.sort compare (List.map (fun x -> (Random.bits (), x)) l))
 
 (* A process of two or three copies of some components. The copies may have other numbers of states and other events than
-   the first, and each may be a region. *)
-let copied () =
+   the first, and each may be a region. With `twice`, a component beside them occurs twice. *)
+let copied ~twice =
   let copies = 2 + Random.int 2 in
   let parts = if copies = 2 && Random.int 3 = 0 then 2 else 1 in
   let size = 2 + Random.int 2 in
@@ -834,7 +834,7 @@ let copied () =
       template first
   in
   let made = Array.concat (List.init copies (fun _ -> copy ())) in
-  let beside = Random.int 3 = 0 in
+  let beside = twice || Random.int 3 = 0 in
   let other = Array.init 2 (fun _ -> times (Random.int 3) (fun () -> (pick inner, Random.int 2))) in
   let components = Array.append (Array.map fst made) (if beside then [| other |] else [||]) in
   let initial = Array.to_list (Array.map snd made) @ if beside then [ Random.int 2 ] else [] in
@@ -846,7 +846,7 @@ let copied () =
     { inside = List.init parts (fun p -> S (slot c p));
       rules = List.map (fun (does, level, p, e) -> (does, level, [ (p, e) ], [])) inner_rules }
   in
-  let inside = (if nested then List.init copies (fun c -> R (region c)) else List.init (copies * parts) (fun k -> S k)) @ if beside then [ S (copies * parts) ] else [] in
+  let inside = (if nested then List.init copies (fun c -> R (region c)) else List.init (copies * parts) (fun k -> S k)) @ (if beside then [ S (copies * parts) ] else []) @ if twice then [ S (copies * parts) ] else [] in
   let place c p = if nested then c else slot c p in
   let env = List.length inside - 1 in
   (* A rule for each copy, each pair of copies, or all copies together. *)
@@ -855,6 +855,7 @@ let copied () =
     let name = if Random.bool () then fun c -> 5 + c else let name = pick [ 0; 0; 1; 5; 6 ] in fun _ -> name in
     let all = List.init copies Fun.id in
     match Random.int 5 with
+    | (0 | 1) when twice -> List.map (fun c -> (name c, level, shuffled [ (place c p, e); (env, d); (env - 1, pick [ d; e ]) ], [])) all
     | 0 when beside -> List.map (fun c -> (name c, level, [ (place c p, e); (env, d) ], [])) all
     | 1 -> List.concat_map (fun c -> List.filter_map (fun b -> if b = c then None else Some (name c, level, [ (place c p, e); (place b p, d) ], [])) all) all
     | 2 -> [ ((if Random.bool () then 0 else 5), level, shuffled (List.map (fun c -> (place c p, e)) all), []) ]
@@ -913,8 +914,15 @@ let exchanges_in (claim : Formats.claim) ~indifferent =
 
 let random_turns count words = if Random.bool () then [] else List.init (1 + (Hashtbl.hash words mod 4)) (fun i -> Hashtbl.hash (i, words) mod count)
 
+(* Exchanges an event of the whole process with tau or tick, in the process and in the automorphism. *)
+let exchanged_event event other process =
+  let exchange e = if e = event then other else if e = other then event else e in
+  let tree m = Mapping (new_place m, (fun e -> exchange (new_name m (exchange e))), (fun e -> exchange (old_name m (exchange e))), rule_to m, rule_from m, deeper m) in
+  ( { process with whole = { process.whole with rules = List.map (fun (d, l, a, pu) -> (exchange d, l, a, pu)) process.whole.rules } },
+    fun g -> { g with tree = tree g.tree } )
+
 let attack_symmetric seed trial =
-  let process = copied () in
+  let process = copied ~twice:(Random.int 5 = 0) in
   let spec = match Random.int 4 with 0 -> process | 1 -> mutated process | 2 -> indifferent process | _ -> indifferent (random_process ~busy:false) in
   let others = [ mutated process; mutated (mutated process); (if Random.bool () then assigning process else doubled process) ] in
   let attack question spec_of =
@@ -928,7 +936,8 @@ let attack_symmetric seed trial =
     | Some (symmetric, turns) ->
         let count = List.length symmetric in
         List.iter
-          (fun p ->
+          (fun (p, change) ->
+            let symmetric = List.map change symmetric in
             let holds = lazy (truth p) in
             let judge what reduction =
               if accepted_attack (reduced (claim_about p) reduction) then
@@ -940,7 +949,7 @@ let attack_symmetric seed trial =
               judge "lying automorphisms"
                 { confluent = None; symmetric = List.map lying_automorphism symmetric; turns = (if Random.bool () then turns else random_turns count) }
             done)
-          (process :: others)
+          (List.map (fun p -> (p, Fun.id)) (process :: others) @ [ exchanged_event 0 (pick [ 5; 6 ]) process; exchanged_event 1 (pick [ 5; 6 ]) process ])
   in
   List.iter (fun m -> attack (Formats.Refinement m) (Some spec)) [ T; F; FD ];
   List.iter (fun p -> attack (Formats.Property p) None) [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ]
