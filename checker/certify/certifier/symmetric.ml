@@ -14,8 +14,13 @@ let most_requirements = 200_000
 (* Components with more transitions are not exchanged. *)
 let most_transitions = 50_000
 
-(* The search for exchanges ends when it and the check have examined so many requirements. *)
+(* The search for exchanges ends when it and the check have examined so many requirements, or so many for exchanges that
+   turned out to be wrong. *)
 let most_work = 50_000_000
+let most_in_vain = 2_000_000
+
+(* Components that are farther from each other than this, in rules, have no influence on each other's colours. *)
+let most_rounds = 20
 
 (* A region: its participants and rules, the components below it, and the rules by what they require. *)
 type node = {
@@ -135,7 +140,7 @@ let roles_of whole rows =
   roles
 
 (** The whole process. *)
-type t = { whole : node; shapes : shape array; mutable work : int }
+type t = { whole : node; shapes : shape array; mutable work : int; mutable in_vain : int }
 
 (* The colours of the events and rules of a region, and of its inner regions by participant. *)
 type colours = { events : (int, int) Hashtbl.t; of_rules : int array; of_inner : colours option array }
@@ -181,14 +186,15 @@ let refine_slots t colours =
   downward t.whole (upward t.whole) (Hashtbl.create 1);
   Array.mapi (fun k c -> mix colours.(k) c) result
 
-let rec refine_all t colours =
+let rec refine_all ?(rounds = most_rounds) t colours =
   let refined = refine_slots t colours in
-  if distinct refined = distinct colours then colours else refine_all t refined
+  if rounds = 0 || distinct refined = distinct colours then colours else refine_all ~rounds:(rounds - 1) t refined
 
 (* Refines two colourings by the same number of rounds. *)
-let rec refine_both t colours others =
+let rec refine_both ?(rounds = most_rounds) t colours others =
   let refined = refine_slots t colours in
-  if distinct refined = distinct colours then (colours, others) else refine_both t refined (refine_slots t others)
+  if rounds = 0 || distinct refined = distinct colours then (colours, others)
+  else refine_both ~rounds:(rounds - 1) t refined (refine_slots t others)
 
 (* Returns the image of each component if i takes the place of j: the components near i take the places of those near j,
    and components that both colourings treat alike do not move. *)
@@ -319,14 +325,15 @@ let find_replicas t instead accepts =
   let taken = Array.make count false and found = ref [] and sets = ref [] in
   let alike k = List.filter (fun j -> classes.(j) = classes.(k) && not taken.(j)) (List.init (count - k) (fun i -> k + i)) in
   let next_to i j =
-    if t.work > most_work then None
+    if t.work > most_work || t.in_vain > most_in_vain then None
     else
-      match exchange t classes i j with
-      | None -> None
-      | Some images -> (
-          match automorphism_of t instead images with
-          | Some g when accepts g -> Some (images, g)
-          | _ -> None)
+      let before = t.work in
+      let with_images images = Option.map (fun g -> (images, g)) (automorphism_of t instead images) in
+      match Option.bind (exchange t classes i j) with_images with
+      | Some (images, g) when accepts g -> Some (images, g)
+      | _ ->
+          t.in_vain <- t.in_vain + t.work - before;
+          None
   in
   (* Extends a chain of replicas by the components that can take the place of the last one. *)
   let rec chain members generators = function
@@ -414,7 +421,7 @@ let exchanges_of (process : system) sizes representative (layout : layout) field
     let rows = Array.mapi (fun k size -> if may_be_exchanged k then Array.init size (process.edges k) else [||]) sizes in
     let roles = roles_of whole rows in
     let shapes = Array.mapi (fun k rows -> if rows = [||] then unlike k else shape_of rows start.(k) (representative k) roles.(k)) rows in
-    let t = { whole; shapes; work = 0 } in
+    let t = { whole; shapes; work = 0; in_vain = 0 } in
     let size = size_of layout and arcs = Array.fold_left (fun n node -> n + Array.length node.Search.arcs) 0 nodes in
     let accepts g =
       t.work <- t.work + requirements whole + arcs;

@@ -822,7 +822,10 @@ let copied ~twice =
   let copies = 2 + Random.int 2 in
   let parts = if copies = 2 && Random.int 3 = 0 then 2 else 1 in
   let size = 2 + Random.int 2 in
-  let template = Array.init parts (fun _ -> Array.init size (fun _ -> times (Random.int 4) (fun () -> (pick inner, Random.int size)))) in
+  (* A component with random transitions, or a cycle. *)
+  let cyclic = Random.int 3 = 0 in
+  let row v = if cyclic then [ (pick inner, (v + 1) mod size) ] else times (Random.int 4) (fun () -> (pick inner, Random.int size)) in
+  let template = Array.init parts (fun _ -> Array.init size row) in
   let first = Array.init parts (fun _ -> Random.int size) in
   let copy () =
     Array.map2
@@ -835,7 +838,7 @@ let copied ~twice =
   in
   let made = Array.concat (List.init copies (fun _ -> copy ())) in
   let beside = twice || Random.int 3 = 0 in
-  let other = Array.init 2 (fun _ -> times (Random.int 3) (fun () -> (pick inner, Random.int 2))) in
+  let other = Array.init 2 (fun _ -> times (if twice then 3 else Random.int 3) (fun () -> (pick inner, Random.int 2))) in
   let components = Array.append (Array.map fst made) (if beside then [| other |] else [||]) in
   let initial = Array.to_list (Array.map snd made) @ if beside then [ Random.int 2 ] else [] in
   let slot c p = (c * parts) + p in
@@ -864,9 +867,10 @@ let copied ~twice =
   let rules = shuffled (List.concat (times (2 + Random.int 3) rules)) in
   { components; initial; whole = { inside; rules } }
 
-(* A process that treats the visible events alike. *)
+(* A process that treats the visible events alike, and tick like them or not. *)
 let indifferent process =
-  let copies ((d, l, a, pu) as rule) = if d < 5 then [ rule ] else List.map (fun d -> (d, l, a, pu)) [ 5; 6; 7 ] in
+  let alike = if Random.int 3 = 0 then [ 1; 5; 6; 7 ] else [ 5; 6; 7 ] in
+  let copies ((d, l, a, pu) as rule) = if not (List.mem d alike) then [ rule ] else List.map (fun d -> (d, l, a, pu)) alike in
   { process with whole = { process.whole with rules = List.concat_map copies process.whole.rules } }
 
 let with_rule process change =
@@ -922,7 +926,7 @@ let exchanged_event event other process =
     fun g -> { g with tree = tree g.tree } )
 
 let attack_symmetric seed trial =
-  let process = copied ~twice:(Random.int 5 = 0) in
+  let process = copied ~twice:(Random.int 3 = 0) in
   let spec = match Random.int 4 with 0 -> process | 1 -> mutated process | 2 -> indifferent process | _ -> indifferent (random_process ~busy:false) in
   let others = [ mutated process; mutated (mutated process); (if Random.bool () then assigning process else doubled process) ] in
   let attack question spec_of =
