@@ -890,6 +890,23 @@ let doubled process =
   let last = List.length process.whole.inside - 1 in
   with_rule process (fun (d, l, a, pu) -> (d, l, (if Random.bool () then a @ [ (last, pick inner) ] else [ (last, pick inner) ]), pu))
 
+(* Two participants together perform an event that their images cannot perform. *)
+let skewed process =
+  let count = List.length process.whole.inside in
+  let i = Random.int count in
+  let j = (i + 1 + Random.int (max 1 (count - 1))) mod count in
+  let rule = (pick [ 0; 1; 5; 6; 7 ], (if Random.bool () then None else Some 0), (if i = j then [ (i, pick inner) ] else [ (i, pick inner); (j, pick inner) ]), []) in
+  { process with whole = { process.whole with rules = process.whole.rules @ [ rule ] } }
+
+(* A rule requires an event that no component performs. *)
+let without_a_rule process = with_rule process (fun (d, l, a, pu) -> (d, l, (fst (List.hd a), 1) :: List.tl a, pu))
+
+(* The automorphism, with additional rules that correspond to themselves. *)
+let for_more_rules g =
+  let more f i = try f i with Invalid_argument _ -> i in
+  let rec tree m = Mapping (new_place m, new_name m, old_name m, more (rule_to m), more (rule_from m), fun i -> tree (deeper m i)) in
+  { g with tree = tree g.tree }
+
 (* An automorphism that lies in some places. *)
 let lying_automorphism g =
   let salt = Random.bits () and rate = 2 + Random.int 8 in
@@ -916,7 +933,26 @@ let exchanges_in (claim : Formats.claim) ~indifferent =
   if not (shape_ok plan.shape plan.process.system) then None
   else Symmetric.exchanges_of system plan.process.sizes representative layout (Follow.fields_of layout) plan.nodes indifferent
 
-let random_turns count words = if Random.bool () then [] else List.init (1 + (Hashtbl.hash words mod 4)) (fun i -> Hashtbl.hash (i, words) mod count)
+(* Leads each state to one of its images, which depends on a number. So other states are visited for another number. *)
+let random_turns (layout : layout) symmetric =
+  let salt = Random.bits () in
+  let generators = List.map (fun g -> List.map (fields_of_pull layout) g.pulls) symmetric in
+  let turns words =
+    let paths = Hashtbl.create 16 in
+    let rec visit path words =
+      if Hashtbl.length paths < 24 && not (Hashtbl.mem paths words) then begin
+        Hashtbl.add paths words (List.rev path);
+        List.iteri (fun i g -> visit (i :: path) (turned g words)) generators
+      end
+    in
+    visit [] words;
+    let choose words path best =
+      let key = Hashtbl.hash (salt, words) in
+      match best with Some (k, _) when k <= key -> best | _ -> Some (key, path)
+    in
+    match Hashtbl.fold choose paths None with Some (_, path) -> path | None -> []
+  in
+  memo turns
 
 (* Exchanges an event of the whole process with tau or tick, in the process and in the automorphism. *)
 let exchanged_event event other process =
@@ -928,32 +964,35 @@ let exchanged_event event other process =
 let attack_symmetric seed trial =
   let process = copied ~twice:(Random.int 3 = 0) in
   let spec = match Random.int 4 with 0 -> process | 1 -> mutated process | 2 -> indifferent process | _ -> indifferent (random_process ~busy:false) in
-  let others = [ mutated process; mutated (mutated process); (if Random.bool () then assigning process else doubled process) ] in
+  let other () = match Random.int 8 with 0 -> assigning process | 1 -> doubled process | 2 | 3 -> without_a_rule process | 4 | 5 -> skewed process | _ -> mutated process in
   let attack question spec_of =
     let claim_about p = claim_of question (Option.map text spec_of) (text p) in
-    let truth p =
-      truth question (Option.map of_process spec_of) (of_process p)
-    in
-    List.iter (fun p -> judge_honest seed trial (claim_about p) (truth p)) (process :: others);
+    let truth p = truth question (Option.map of_process spec_of) (of_process p) in
+    judge_honest seed trial (claim_about process) (truth process);
     match exchanges_in (claim_about process) ~indifferent:(fun _ -> true) with
     | None -> ()
     | Some (symmetric, turns) ->
-        let count = List.length symmetric in
+        (* Processes that differ a little from one of which the claim is true. *)
+        let others = if truth process then List.filter (fun p -> not (truth p)) (times 12 other) else [ other () ] in
+        let others = process :: List.filteri (fun i _ -> i < 4) others in
+        List.iter (fun p -> judge_honest seed trial (claim_about p) (truth p)) (List.tl others);
+        let exchanged = [ exchanged_event 0 (pick [ 5; 6 ]) process; exchanged_event 1 (pick [ 5; 6 ]) process ] in
         List.iter
           (fun (p, change) ->
-            let symmetric = List.map change symmetric in
+            let symmetric = List.map change symmetric and claim = claim_about p in
             let holds = lazy (truth p) in
             let judge what reduction =
-              if accepted_attack (reduced (claim_about p) reduction) then
+              if accepted_attack (reduced claim reduction) then
                 if Lazy.force holds then incr forged_accepted else report_wrong what seed trial
             in
             judge "automorphisms of another process" { confluent = None; symmetric; turns };
-            judge "automorphisms at random" { confluent = None; symmetric; turns = random_turns count };
+            let layout = (Certificate_check.plan_of claim ~most).shape.packs in
             for _ = 1 to 4 do
-              judge "lying automorphisms"
-                { confluent = None; symmetric = List.map lying_automorphism symmetric; turns = (if Random.bool () then turns else random_turns count) }
+              judge "automorphisms at random" { confluent = None; symmetric; turns = random_turns layout symmetric };
+              let symmetric = List.map lying_automorphism symmetric in
+              judge "lying automorphisms" { confluent = None; symmetric; turns = (if Random.bool () then turns else random_turns layout symmetric) }
             done)
-          (List.map (fun p -> (p, Fun.id)) (process :: others) @ [ exchanged_event 0 (pick [ 5; 6 ]) process; exchanged_event 1 (pick [ 5; 6 ]) process ])
+          (List.map (fun p -> (p, for_more_rules)) others @ exchanged)
   in
   List.iter (fun m -> attack (Formats.Refinement m) (Some spec)) [ T; F; FD ];
   List.iter (fun p -> attack (Formats.Property p) None) [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ]
