@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Attacks on robochart-certify, dropped conditions of it, faults planted in the checker, and random campaigns.
-# Argument: the number of trials of the attack (300; a trial has some 650 attacks). Each of 124 conditions of the extracted
+# Argument: the number of trials of the attack (300; a trial has some 650 attacks). Each of 123 conditions of the extracted
 # program is dropped in a copy, and each of 44 faults is planted in a copy of the checker. If coqc is found, the proofs
 # are checked, too. First builds the command and the tests in release form.
 set -euo pipefail

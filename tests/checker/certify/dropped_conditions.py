@@ -158,7 +158,13 @@ of_reductions = {"sure", "determined", "impossible", "overrules", "commutes", "u
 
 # Random attacks have not noticed that one of these is dropped. The proof in Coq needs them.
 open_conditions = {"overrules: same region", "commutes: assigned by the other rule", "leaves: unchanged", "continues: rule", "spared: regions",
-                   "entry_ok: first level", "entry_ok: tracked components", "entry_ok: components of the rule"}
+                   "entry_ok: first level", "entry_ok: tracked components", "entry_ok: components of the rule",
+                   "plain: different components", "names_ok: tau", "names_ok: tick", "pull_ok: bound of states",
+                   "pull_ok: restored events", "corresponds: level", "corresponds: event", "corresponds: old event",
+                   "corresponds: different participants", "corresponds: number of requirements",
+                   "corresponds: restored requirements", "rules_correspond: images of rules",
+                   "rules_correspond: rules of images", "maps: components", "maps: inner regions", "automorphism_ok: targets",
+                   "automorphism_ok: sources", "indifferent_node: arcs", "indifferent_node: acceptances"}
 
 
 def without(text, function, pattern, replacement):
