@@ -187,7 +187,7 @@ def decide(program: str, script: Path, options: list[str]) -> tuple[float, list[
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", default="build/release/app/robochart-verify")
-    parser.add_argument("--repeat", type=int, default=7, help="runs of each, of which the fastest counts (7)")
+    parser.add_argument("--repeat", type=int, default=7, help="how often each is run; the fastest run counts (7)")
     parser.add_argument("--only", default="", help="only families whose name contains this")
     arguments = parser.parse_args()
 
