@@ -42,11 +42,7 @@ let width shape = List.length shape.packs.groups
 
 (* Returns the text of a state: the state of each component. *)
 let state_name (process : Formats.process) shape words =
-  let locals =
-    List.concat
-      (List.map2 (fun group word -> snd (List.fold_left (fun (word, locals) bits -> (word lsr bits, locals @ [ word land ((1 lsl bits) - 1) ])) (word, []) group))
-         shape.packs.groups words)
-  in
+  let locals = Array.to_list (Follow.unpack (Follow.fields_of shape.packs) words) in
   let name k local = Printf.sprintf "%s: %d" process.component_names.(k) local in
   Printf.sprintf "(%s)" (String.concat "; " (List.mapi name locals))
 
@@ -105,6 +101,7 @@ type plan = {
   task : Search.task;
   choose : int -> (int * Search.words) list -> int;
   nodes : Search.node array;
+  normal : normal_form option;  (** of the specification, if there is one *)
   completed : Search.words pairs -> proof;
 }
 
@@ -153,23 +150,23 @@ let normalised (claim : Formats.claim) model spec ~forge ~most =
 let plan_of ?(forge = Fun.id) ?split_forge ?(forge_graph = Fun.id) (claim : Formats.claim) ~most =
   let side_of given = side_of ?forge:split_forge given ~event_count:claim.event_count ~most in
   let impl = side_of claim.implementation in
-  let plan task choose nodes completed =
-    { process = impl.process; shape = impl.shape; name = claim.event_name; task; choose; nodes; completed } in
+  let plan task choose nodes normal completed =
+    { process = impl.process; shape = impl.shape; name = claim.event_name; task; choose; nodes; normal; completed } in
   match (claim.question, claim.specification) with
   | Refinement model, Some given ->
       let spec = side_of given in
       let n = normalised claim model spec ~forge ~most in
-      plan n.refinement n.fitting n.members (fun pairs ->
+      plan n.refinement n.fitting n.members (Some n.normal) (fun pairs ->
           Of_refinement (model, spec.shape, spec.subject, impl.shape, impl.subject, n.normal, n.evidence, pairs))
   | Property property, None ->
-      plan (property_task property) (fun _ _ -> 0) [||] (fun pairs -> Of_property (property, impl.shape, impl.subject, pairs))
+      plan (property_task property) (fun _ _ -> 0) [||] None (fun pairs -> Of_property (property, impl.shape, impl.subject, pairs))
   | Determinism model, None ->
       let lts = lts_of impl in
       let rows = forge_graph (Search.without_choices (Search.new_graph lts.succ0) lts.init ~most) in
       let graph, process = choiceless_process claim.event_count rows in
       let spec = side_of (Formats.Compiled process) in
       let n = normalised claim model spec ~forge ~most in
-      plan (determinism_task n.members n.refinement claim.event_name) n.fitting n.members (fun pairs ->
+      plan (determinism_task n.members n.refinement claim.event_name) n.fitting n.members (Some n.normal) (fun pairs ->
           Of_determinism (model, spec.shape, graph, impl.shape, impl.subject, n.normal, n.evidence, pairs))
   | _ -> raise (Formats.Unreadable "a specification belongs to a refinement, and to nothing else")
 
@@ -239,27 +236,25 @@ let guarded f =
   | Out_of_memory -> Undecided "there is no more memory"
   | Invalid_argument _ | Not_found | Failure _ | Division_by_zero -> Refused "the evidence is malformed"
 
+(* Returns exchanges of equal parts of the implementation. *)
+let exchanges_of plan ~indifferent =
+  let { merges; packs } = plan.shape in
+  Symmetric.exchanges_of (merged merges plan.process.system) plan.process.sizes merges packs plan.nodes indifferent
+
 (* Returns the reductions that make the search smaller, with their names. *)
 let reduction_for (claim : Formats.claim) plan =
-  let process = plan.process and layout = plan.shape.packs in
+  let process = plan.process in
   if not (shape_ok plan.shape process.system) then None
   else
     let system = merged plan.shape.merges process.system in
     let any = claim.question = Formats.Property Deadlock_free in
-    let representative k v = if v < plan.shape.merges.merged_states k then plan.shape.merges.representative k v else v in
-    let normal = if Array.length plan.nodes = 0 then None else Some (Search.normal_form_of plan.nodes) in
-    let only g = { confluent = None; symmetric = [ g ]; turns = (fun _ -> []) } in
-    let indifferent g = match normal with None -> true | Some normal -> indifferent_ok (only g) normal in
-    let confluent = Follow.steps_of system process.sizes layout (compact plan.shape process.system) ~any in
-    let exchanges =
-      if not (plain system) then None
-      else Symmetric.exchanges_of system process.sizes representative layout (Follow.fields_of layout) plan.nodes indifferent
-    in
-    match (confluent, exchanges) with
-    | None, None -> None
-    | Some _, None -> Some ({ confluent; symmetric = []; turns = (fun _ -> []) }, [ "confluent taus" ])
-    | _, Some (symmetric, turns) ->
-        Some ({ confluent; symmetric; turns }, (if confluent = None then [] else [ "confluent taus" ]) @ [ "symmetry" ])
+    let indifferent g = match plan.normal with None -> true | Some normal -> indifferent_to normal g in
+    let confluent = Follow.steps_of system process.sizes plan.shape.packs (compact plan.shape process.system) ~any in
+    let exchanges = if plain system then exchanges_of plan ~indifferent else None in
+    let symmetric, turns = Option.value ~default:([], fun _ -> []) exchanges in
+    match (if Option.is_some confluent then [ "confluent taus" ] else []) @ if symmetric = [] then [] else [ "symmetry" ] with
+    | [] -> None
+    | names -> Some ({ confluent; symmetric; turns }, names)
 
 (* Finds the pairs while the check visits them. Returns the search, and whether the check accepts. *)
 let check_on_the_way ?reduction plan ~most =

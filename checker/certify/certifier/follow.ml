@@ -364,9 +364,10 @@ let perform t locals j =
     t.rules.(rule).items;
   result
 
-let unpack t words =
-  let words = Array.of_list words in
-  Array.map (fun (word, shift, bits) -> (words.(word) lsr shift) land ((1 lsl bits) - 1)) t.fields
+let[@inline] read (words : int array) (word, shift, bits) = (words.(word) lsr shift) land ((1 lsl bits) - 1)
+
+(* Returns the states of the components. *)
+let unpack fields words = Array.map (read (Array.of_list words)) fields
 
 let pack t locals =
   let result = Array.make t.words 0 in
@@ -424,7 +425,7 @@ let rec path_from t locals before entries length =
               path)
 
 let hint t words =
-  match Keys.find_opt t.known words with Some path -> path | None -> path_from t (unpack t words) [] [] 0
+  match Keys.find_opt t.known words with Some path -> path | None -> path_from t (unpack t.fields words) [] [] 0
 
 let collected t : confluent_steps =
   let count = t.entry_count in
@@ -452,7 +453,7 @@ let learn t (lts : Search.words lts) =
       if path = [] then words
       else begin
         t.led <- t.led + 1;
-        pack t (List.fold_left (perform t) (unpack t words) path)
+        pack t (List.fold_left (perform t) (unpack t.fields words) path)
       end
     in
     let before = store.Search.filled in

@@ -22,7 +22,7 @@ let most_in_vain = 2_000_000
 (* Components that are farther from each other than this, in rules, have no influence on each other's colours. *)
 let most_rounds = 20
 
-(* A region: its participants and rules, the components below it, and the rules by what they require. *)
+(* A region: its participants and rules, and the components below it. *)
 type node = {
   parts : participant array;
   rules : rule array;
@@ -41,6 +41,8 @@ let rec requirements node =
   let own = Array.fold_left (fun n r -> n + 1 + List.length r.asks) 0 node.rules in
   Array.fold_left (fun n -> function None -> n | Some r -> n + requirements r) own node.inner
 
+let look table ~default key = Option.value ~default (Hashtbl.find_opt table key)
+let count_up table key x = Hashtbl.replace table key (x + look table ~default:0 key)
 let kind e = if e < 2 then e else 2
 let level_of r = match r.level with None -> -1 | Some l -> l
 
@@ -126,7 +128,7 @@ let unlike k = { hash = mix k 13; state_number = [||]; state_at = [||]; event_nu
 (* By component: its events, each with a number that exchanges keep. It depends on the rules that require the event. *)
 let roles_of whole rows =
   let roles = Array.map (fun _ -> Hashtbl.create 16) rows in
-  let add k e x = Hashtbl.replace roles.(k) e (x + Option.value ~default:(kind e) (Hashtbl.find_opt roles.(k) e)) in
+  let add k e x = Hashtbl.replace roles.(k) e (x + look roles.(k) ~default:(kind e) e) in
   Array.iteri (fun k -> Array.iter (List.iter (fun (e, _) -> add k e 0))) rows;
   let rec visit node =
     Array.iter
@@ -145,19 +147,17 @@ type t = { whole : node; shapes : shape array; mutable work : int; mutable in_va
 (* The colours of the events and rules of a region, and of its inner regions by participant. *)
 type colours = { events : (int, int) Hashtbl.t; of_rules : int array; of_inner : colours option array }
 
-let colour_of table e = Option.value ~default:0 (Hashtbl.find_opt table e)
-
 (* Returns a colour for each component, from the colours of the components that it has rules with. *)
 let refine_slots t colours =
   let result = Array.copy colours in
-  let event_number k e = Option.value ~default:e (Hashtbl.find_opt t.shapes.(k).event_number e) in
+  let event_number k e = look t.shapes.(k).event_number ~default:e e in
   let rec upward node =
     let of_inner = Array.map (Option.map upward) node.inner in
     let ask (i, e) =
       t.work <- t.work + 1;
       match (node.parts.(i), of_inner.(i)) with
       | Slot k, _ -> mix colours.(k) (event_number k e)
-      | Inner _, Some inner -> colour_of inner.events e
+      | Inner _, Some inner -> look inner.events ~default:0 e
       | Inner _, None -> 0
     in
     let own r =
@@ -165,18 +165,18 @@ let refine_slots t colours =
     in
     let of_rules = Array.map own node.rules in
     let events = Hashtbl.create 64 in
-    Array.iteri (fun n r -> Hashtbl.replace events r.does (of_rules.(n) + colour_of events r.does)) node.rules;
+    Array.iteri (fun n r -> count_up events r.does of_rules.(n)) node.rules;
     { events; of_rules; of_inner }
   in
   (* `outer`: the colours of events by the rules of the region outside that require them. *)
   let rec downward node own outer =
     let below = Array.map (fun _ -> Hashtbl.create 64) node.parts in
     let visit n r =
-      let colour = mix own.of_rules.(n) (colour_of outer r.does) in
+      let colour = mix own.of_rules.(n) (look outer ~default:0 r.does) in
       let ask (i, e) =
         match node.parts.(i) with
         | Slot k -> result.(k) <- result.(k) + mix colour (event_number k e)
-        | Inner _ -> Hashtbl.replace below.(i) e (mix colour 9 + colour_of below.(i) e)
+        | Inner _ -> count_up below.(i) e (mix colour 9)
       in
       List.iter ask r.asks
     in
@@ -186,21 +186,18 @@ let refine_slots t colours =
   downward t.whole (upward t.whole) (Hashtbl.create 1);
   Array.mapi (fun k c -> mix colours.(k) c) result
 
-let rec refine_all ?(rounds = most_rounds) t colours =
-  let refined = refine_slots t colours in
-  if rounds = 0 || distinct refined = distinct colours then colours else refine_all ~rounds:(rounds - 1) t refined
-
-(* Refines two colourings by the same number of rounds. *)
-let rec refine_both ?(rounds = most_rounds) t colours others =
-  let refined = refine_slots t colours in
-  if rounds = 0 || distinct refined = distinct colours then (colours, others)
-  else refine_both ~rounds:(rounds - 1) t refined (refine_slots t others)
+(* Refines colourings by the same number of rounds, until the number of colours of the first one does not grow. *)
+let rec refine_all ?(rounds = most_rounds) t colourings =
+  let refined = refine_slots t (List.hd colourings) in
+  if rounds = 0 || distinct refined = distinct (List.hd colourings) then colourings
+  else refine_all ~rounds:(rounds - 1) t (refined :: List.map (refine_slots t) (List.tl colourings))
 
 (* Returns the image of each component if i takes the place of j: the components near i take the places of those near j,
    and components that both colourings treat alike do not move. *)
 let exchange t classes i j =
   let marked k = Array.mapi (fun n c -> if n = k then mix c 11 else c) classes in
-  let colours, others = refine_both t (marked i) (marked j) in
+  let refined = refine_all t [ marked i; marked j ] in
+  let colours = List.hd refined and others = List.nth refined 1 in
   let waiting = Hashtbl.create 64 in
   for k = Array.length others - 1 downto 0 do if colours.(k) <> others.(k) then Hashtbl.add waiting others.(k) k done;
   let image k c =
@@ -218,7 +215,7 @@ exception Not_found_here
 let table_of pairs =
   let table = Hashtbl.create 16 in
   List.iter (fun (a, b) -> Hashtbl.replace table a b) pairs;
-  fun e -> Option.value ~default:e (Hashtbl.find_opt table e)
+  fun e -> look table ~default:e e
 
 (* Returns how component `target` gets the state of component `source`. *)
 let pull_of t source target =
@@ -254,7 +251,7 @@ let rec mapping_of t images pulls node target =
   let name i e =
     match (node.parts.(i), deeper.(i)) with
     | Slot k, _ -> ( match pulls images.(k) with Some p -> p.rename e | None -> e)
-    | Inner _, Some m -> new_name m e
+    | Inner _, Some m -> m.new_name e
     | Inner _, None -> e
   in
   let key r asks = (r.level, kind r.does, List.sort compare asks) in
@@ -295,11 +292,9 @@ let rec mapping_of t images pulls node target =
   in
   for n = 0 to Array.length node.rules - 1 do choose ~only_one:true n done;
   for n = 0 to Array.length node.rules - 1 do if to_.(n) < 0 then choose ~only_one:false n done;
-  let look table e = Option.value ~default:e (Hashtbl.find_opt table e) in
-  let same_place = Mapping (Fun.id, Fun.id, Fun.id, Fun.id, Fun.id, fun _ -> assert false) in
-  Mapping
-    ( (fun i -> if i < Array.length places then places.(i) else i), look names, look old_names, Array.get to_, Array.get from,
-      fun i -> match if i < Array.length deeper then deeper.(i) else None with Some m -> m | None -> same_place )
+  let named table e = look table ~default:e e in
+  { new_place = (fun i -> if i < Array.length places then places.(i) else i); new_name = named names; old_name = named old_names;
+    rule_to = Array.get to_; rule_from = Array.get from; deeper = (fun i -> Option.get deeper.(i)) }
 
 (* Returns the automorphism that exchanges components by these images, if there is one. *)
 let automorphism_of t instead images =
@@ -312,7 +307,7 @@ let automorphism_of t instead images =
   else
     let pulls = List.map (fun k -> (images.(k), pull_of t k images.(k))) moved in
     match mapping_of t images (fun k -> List.assoc_opt k pulls) t.whole t.whole with
-    | tree -> Some { pulls; tree; instead = instead (old_name tree) }
+    | tree -> Some { pulls; tree; instead = instead tree.old_name }
     | exception Not_found_here -> None
 
 (* Components that can be exchanged together: replica i and replica i + 1 by the automorphism `first + i`. *)
@@ -321,7 +316,7 @@ type replicas = { first : int; members : int array array }
 (* Finds sets of replicas. Each component is in at most one set. *)
 let find_replicas t instead accepts =
   let count = Array.length t.shapes in
-  let classes = refine_all t (Array.map (fun s -> s.hash) t.shapes) in
+  let classes = List.hd (refine_all t [ Array.map (fun s -> s.hash) t.shapes ]) in
   let taken = Array.make count false and found = ref [] and sets = ref [] in
   let alike k = List.filter (fun j -> classes.(j) = classes.(k) && not taken.(j)) (List.init (count - k) (fun i -> k + i)) in
   let next_to i j =
@@ -367,8 +362,7 @@ let find_replicas t instead accepts =
 let turns_of t sets (fields : (int * int * int) array) words =
   let words = Array.of_list words in
   let local k =
-    let word, shift, bits = fields.(k) in
-    let v = (words.(word) lsr shift) land ((1 lsl bits) - 1) in
+    let v = Follow.read words fields.(k) in
     let numbers = t.shapes.(k).state_number in
     if v < Array.length numbers then numbers.(v) else v
   in
@@ -408,19 +402,22 @@ let instead_in (nodes : Search.node array) old_name =
         j
 
 (* Returns exchanges of replicas, if there are some. `indifferent` tests the specification, if there is one. *)
-let exchanges_of (process : system) sizes representative (layout : layout) fields nodes indifferent =
+let exchanges_of (process : system) sizes merges (layout : layout) nodes indifferent =
   let whole = node_of process.whole in
   if requirements whole > most_requirements then None
   else
     let start = Array.of_list process.start in
     let sizes = Array.of_list sizes in
-    let transitions k = List.fold_left (fun n v -> n + List.length (process.edges k v)) 0 (List.init sizes.(k) Fun.id) in
-    let signatures = Array.mapi (fun k size -> (size, if size > most_transitions then 0 else transitions k)) sizes in
-    let small k = sizes.(k) <= most_transitions && snd signatures.(k) <= most_transitions in
-    let may_be_exchanged k = small k && Array.exists (fun j -> j <> k && signatures.(j) = signatures.(k)) (Array.mapi (fun j _ -> j) sizes) in
+    let count k = List.fold_left (fun n v -> n + List.length (process.edges k v)) 0 (List.init sizes.(k) Fun.id) in
+    let transitions = Array.mapi (fun k _ -> lazy (count k)) sizes in
+    let twins k j = j <> k && sizes.(j) = sizes.(k) && Lazy.force transitions.(j) = Lazy.force transitions.(k) in
+    let may_be_exchanged k =
+      sizes.(k) <= most_transitions && List.exists (twins k) (List.init (Array.length sizes) Fun.id)
+      && Lazy.force transitions.(k) <= most_transitions
+    in
     let rows = Array.mapi (fun k size -> if may_be_exchanged k then Array.init size (process.edges k) else [||]) sizes in
     let roles = roles_of whole rows in
-    let shapes = Array.mapi (fun k rows -> if rows = [||] then unlike k else shape_of rows start.(k) (representative k) roles.(k)) rows in
+    let shapes = Array.mapi (fun k rows -> if rows = [||] then unlike k else shape_of rows start.(k) (merge merges k) roles.(k)) rows in
     let t = { whole; shapes; work = 0; in_vain = 0 } in
     let size = size_of layout and arcs = Array.fold_left (fun n node -> n + Array.length node.Search.arcs) 0 nodes in
     let accepts g =
@@ -429,4 +426,4 @@ let exchanges_of (process : system) sizes representative (layout : layout) field
     in
     match find_replicas t (instead_in nodes) accepts with
     | [], _ -> None
-    | generators, sets -> Some (generators, turns_of t sets fields)
+    | generators, sets -> Some (generators, turns_of t sets (Follow.fields_of layout))

@@ -2066,42 +2066,12 @@ let hidden p =
 type pull = { source0 : int; send : (Uint63.t -> Uint63.t);
               rename : (ev -> ev); restore : (ev -> ev) }
 
-type mapping =
-| Mapping of (int -> int) * (ev -> ev) * (ev -> ev) * (Uint63.t -> Uint63.t)
-   * (Uint63.t -> Uint63.t) * (int -> mapping)
+type mapping = { new_place : (int -> int); new_name : (ev -> ev);
+                 old_name : (ev -> ev); rule_to : (Uint63.t -> Uint63.t);
+                 rule_from : (Uint63.t -> Uint63.t); deeper : (int -> mapping) }
 
 type automorphism = { pulls : (int * pull) list; tree : mapping;
                       instead : (Uint63.t -> Uint63.t -> Uint63.t) }
-
-(** val new_place : mapping -> int -> int **)
-
-let new_place = function
-| Mapping (place0, _, _, _, _, _) -> place0
-
-(** val new_name : mapping -> ev -> ev **)
-
-let new_name = function
-| Mapping (_, renames, _, _, _, _) -> renames
-
-(** val old_name : mapping -> ev -> ev **)
-
-let old_name = function
-| Mapping (_, _, restores, _, _, _) -> restores
-
-(** val rule_to : mapping -> Uint63.t -> Uint63.t **)
-
-let rule_to = function
-| Mapping (_, _, _, to_, _, _) -> to_
-
-(** val rule_from : mapping -> Uint63.t -> Uint63.t **)
-
-let rule_from = function
-| Mapping (_, _, _, _, from_, _) -> from_
-
-(** val deeper : mapping -> int -> mapping **)
-
-let deeper = function
-| Mapping (_, _, _, _, _, inner) -> inner
 
 (** val all_numbered :
     (Uint63.t -> 'a1 -> bool) -> Uint63.t -> 'a1 list -> bool **)
@@ -2155,33 +2125,35 @@ let plain y =
 let pull_at g j =
   pull_in g.pulls j
 
+(** val names_at :
+    automorphism -> mapping -> participant list -> int -> (ev -> ev) * (ev ->
+    ev) **)
+
+let names_at g m to_ i =
+  match nth_error to_ (m.new_place i) with
+  | Some p ->
+    (match p with
+     | Slot j -> ((pull_at g j).rename, (pull_at g j).restore)
+     | Inner _ -> ((m.deeper i).new_name, (m.deeper i).old_name))
+  | None -> ((m.deeper i).new_name, (m.deeper i).old_name)
+
 (** val name_at :
     automorphism -> mapping -> participant list -> int -> ev -> ev **)
 
 let name_at g m to_ i =
-  match nth_error to_ (new_place m i) with
-  | Some p ->
-    (match p with
-     | Slot j -> (pull_at g j).rename
-     | Inner _ -> new_name (deeper m i))
-  | None -> new_name (deeper m i)
+  fst (names_at g m to_ i)
 
 (** val old_name_at :
     automorphism -> mapping -> participant list -> int -> ev -> ev **)
 
 let old_name_at g m to_ i =
-  match nth_error to_ (new_place m i) with
-  | Some p ->
-    (match p with
-     | Slot j -> (pull_at g j).restore
-     | Inner _ -> old_name (deeper m i))
-  | None -> old_name (deeper m i)
+  snd (names_at g m to_ i)
 
 (** val image_of :
     automorphism -> mapping -> participant list -> (int * ev) -> int * ev **)
 
 let image_of g m to_ a =
-  ((new_place m (fst a)), (name_at g m to_ (fst a) (snd a)))
+  ((m.new_place (fst a)), (name_at g m to_ (fst a) (snd a)))
 
 (** val same_level : Uint63.t option -> Uint63.t option -> bool **)
 
@@ -2205,8 +2177,8 @@ let corresponds g m parts to_ q q' =
         ((&&)
           ((&&)
             ((&&) (same_level q.level q'.level)
-              (eqb q'.does (new_name m q.does)))
-            (eqb q.does (old_name m q'.does)))
+              (eqb q'.does (m.new_name q.does)))
+            (eqb q.does (m.old_name q'.does)))
           (no_repetition (map fst q'.asks)))
         ((<=) (length q.asks) (length q'.asks)))
       (forallb (fun a ->
@@ -2229,11 +2201,11 @@ let rules_correspond g m parts to_ rules rules' =
   let rule_at' = element rules' in
   (&&)
     (all_numbered (fun i q ->
-      match rule_at' (rule_to m i) with
+      match rule_at' (m.rule_to i) with
       | Some q' -> corresponds g m parts to_ q q'
       | None -> false) (Uint63.of_int (0)) rules)
     (all_numbered (fun i q' ->
-      match rule_at (rule_from m i) with
+      match rule_at (m.rule_from i) with
       | Some q -> corresponds g m parts to_ q q'
       | None -> false) (Uint63.of_int (0)) rules')
 
@@ -2251,18 +2223,18 @@ let maps y g =
           (map (fun p i ->
             match p with
             | Slot k ->
-              (match nth_error to_ (new_place m i) with
+              (match nth_error to_ (m.new_place i) with
                | Some p0 ->
                  (match p0 with
                   | Slot j -> (&&) (Nat.ltb j n) ((=) (pull_at g j).source0 k)
                   | Inner _ -> false)
                | None -> false)
             | Inner q ->
-              (match nth_error to_ (new_place m i) with
+              (match nth_error to_ (m.new_place i) with
                | Some p0 ->
                  (match p0 with
                   | Slot _ -> false
-                  | Inner q' -> maps0 q (deeper m i) q')
+                  | Inner q' -> maps0 q (m.deeper i) q')
                | None -> false)) parts)))
       (rules_correspond g m parts to_ rules rules')
   in maps0
@@ -2300,7 +2272,7 @@ let same_test a b x =
 
 let names_ok g q =
   let a = q.does in
-  let b = new_name g.tree a in (&&) (same_test a b tau) (same_test a b tick)
+  let b = g.tree.new_name a in (&&) (same_test a b tau) (same_test a b tick)
 
 (** val automorphism_ok :
     system -> (int -> Uint63.t) -> automorphism -> bool **)
@@ -2318,7 +2290,7 @@ let automorphism_ok y size_of0 g =
 (** val old_event : automorphism -> ev -> ev **)
 
 let old_event g =
-  old_name g.tree
+  g.tree.old_name
 
 type reduction = { confluent : confluent_steps option;
                    symmetric : automorphism list;
@@ -2481,10 +2453,15 @@ let indifferent_node n g n0 =
       then forallb (among (n.acceptance n0 i) f) (n.acceptance n0 j)
       else false) (n.acceptance_count n0))
 
+(** val indifferent_to : normal_form -> automorphism -> bool **)
+
+let indifferent_to n g =
+  all_below (indifferent_node n g) n.nodes
+
 (** val indifferent_ok : reduction -> normal_form -> bool **)
 
 let indifferent_ok r n =
-  forallb (fun g -> all_below (indifferent_node n g) n.nodes) r.symmetric
+  forallb (indifferent_to n) r.symmetric
 
 (** val only_deadlocks : property -> bool **)
 

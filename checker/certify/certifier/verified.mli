@@ -683,24 +683,12 @@ val hidden : 'a1 lts -> 'a1 lts
 type pull = { source0 : int; send : (Uint63.t -> Uint63.t);
               rename : (ev -> ev); restore : (ev -> ev) }
 
-type mapping =
-| Mapping of (int -> int) * (ev -> ev) * (ev -> ev) * (Uint63.t -> Uint63.t)
-   * (Uint63.t -> Uint63.t) * (int -> mapping)
+type mapping = { new_place : (int -> int); new_name : (ev -> ev);
+                 old_name : (ev -> ev); rule_to : (Uint63.t -> Uint63.t);
+                 rule_from : (Uint63.t -> Uint63.t); deeper : (int -> mapping) }
 
 type automorphism = { pulls : (int * pull) list; tree : mapping;
                       instead : (Uint63.t -> Uint63.t -> Uint63.t) }
-
-val new_place : mapping -> int -> int
-
-val new_name : mapping -> ev -> ev
-
-val old_name : mapping -> ev -> ev
-
-val rule_to : mapping -> Uint63.t -> Uint63.t
-
-val rule_from : mapping -> Uint63.t -> Uint63.t
-
-val deeper : mapping -> int -> mapping
 
 val all_numbered : (Uint63.t -> 'a1 -> bool) -> Uint63.t -> 'a1 list -> bool
 
@@ -717,6 +705,10 @@ val silent : region -> bool
 val plain : system -> bool
 
 val pull_at : automorphism -> int -> pull
+
+val names_at :
+  automorphism -> mapping -> participant list -> int -> (ev -> ev) * (ev ->
+  ev)
 
 val name_at : automorphism -> mapping -> participant list -> int -> ev -> ev
 
@@ -795,6 +787,8 @@ val reduction_holds : layout -> system -> reduction -> bool -> bool
 val among : ev list -> (ev -> ev) -> ev -> bool
 
 val indifferent_node : normal_form -> automorphism -> Uint63.t -> bool
+
+val indifferent_to : normal_form -> automorphism -> bool
 
 val indifferent_ok : reduction -> normal_form -> bool
 

@@ -277,7 +277,8 @@ Section Following.
     all_below (fun i => let j := instead g n i in
                         if j <? acceptance_count N n then forallb (among (acceptance N n i) f) (acceptance N n j) else false)
       (acceptance_count N n).
-  Definition indifferent_ok : bool := forallb (fun g => all_below (indifferent_node g) (nodes N)) (symmetric R).
+  Definition indifferent_to (g : automorphism) : bool := all_below (indifferent_node g) (nodes N).
+  Definition indifferent_ok : bool := forallb indifferent_to (symmetric R).
   Lemma indifferent_sound : any = false -> indifferent_ok = true -> forall f, named f ->
     indifferent N (fun n => (n <? nodes N) = true) f.
   Proof.

@@ -15,7 +15,7 @@ Section Led.
   Variable good : S -> Prop.
   Hypothesis good_init : good (init P).
   Hypothesis good_step : forall s a u, good s -> step P s a u -> good u.
-  (* `named` contains, for each automorphism, the function that returns the event of which an event is the image. *)
+  (* `named` contains, for each automorphism, the function that returns, for the image of an event, the event. *)
   Variable named : (ev -> ev) -> Prop.
   Definition keeps (a b : ev) : Prop := (a = tau <-> b = tau) /\ (a = tick <-> b = tick).
   Inductive alike : ev -> ev -> Prop :=

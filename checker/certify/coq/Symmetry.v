@@ -11,18 +11,16 @@ Open Scope uint63_scope.
 Record pull := { source : nat; send : int -> int; rename : ev -> ev; restore : ev -> ev }.
 (* How a region is mapped to a region: the new numbers of participants, the new names of events, the numbers of the rules
    that correspond, and the mappings of the inner regions by participant. *)
-Inductive mapping :=
-  Mapping (place : nat -> nat) (renames restores : ev -> ev) (rule_to rule_from : int -> int) (deeper : nat -> mapping).
+Inductive mapping := Mapping {
+  new_place : nat -> nat;
+  new_name : ev -> ev;
+  old_name : ev -> ev;
+  rule_to : int -> int;
+  rule_from : int -> int;
+  deeper : nat -> mapping }.
 (* An automorphism. A component that is not in the list keeps its state and its events. `instead` returns, by node of the
    specification and acceptance, an acceptance that contains only events whose images are in that acceptance. *)
 Record automorphism := { pulls : list (nat * pull); tree : mapping; instead : int -> int -> int }.
-
-Definition new_place (m : mapping) := let (place, _, _, _, _, _) := m in place.
-Definition new_name (m : mapping) := let (_, renames, _, _, _, _) := m in renames.
-Definition old_name (m : mapping) := let (_, _, restores, _, _, _) := m in restores.
-Definition rule_to (m : mapping) := let (_, _, _, to_, _, _) := m in to_.
-Definition rule_from (m : mapping) := let (_, _, _, _, from_, _) := m in from_.
-Definition deeper (m : mapping) := let (_, _, _, _, _, inner) := m in inner.
 
 Fixpoint all_numbered {A} (f : int -> A -> bool) (i : int) (l : list A) : bool :=
   match l with [] => true | x :: l' => if f i x then all_numbered f (i + 1) l' else false end.
@@ -57,11 +55,14 @@ Section Automorphism.
     map (fun x : nat * pull => (fst x, send (snd x) (nth (source (snd x)) s 0))) (pulls g).
   Definition turn (s : list int) : list int := apply s (changes_of s).
 
-  (* The events of participant i and of its image. *)
-  Definition name_at (m : mapping) (to_ : list participant) (i : nat) : ev -> ev :=
-    match nth_error to_ (new_place m i) with Some (Slot j) => rename (pull_at j) | _ => new_name (deeper m i) end.
-  Definition old_name_at (m : mapping) (to_ : list participant) (i : nat) : ev -> ev :=
-    match nth_error to_ (new_place m i) with Some (Slot j) => restore (pull_at j) | _ => old_name (deeper m i) end.
+  (* How the events of participant i are renamed, and the inverse. *)
+  Definition names_at (m : mapping) (to_ : list participant) (i : nat) : (ev -> ev) * (ev -> ev) :=
+    match nth_error to_ (new_place m i) with
+    | Some (Slot j) => (rename (pull_at j), restore (pull_at j))
+    | _ => (new_name (deeper m i), old_name (deeper m i))
+    end.
+  Definition name_at m to_ i := fst (names_at m to_ i).
+  Definition old_name_at m to_ i := snd (names_at m to_ i).
   Definition image_of (m : mapping) (to_ : list participant) (a : nat * ev) : nat * ev :=
     (new_place m (fst a), name_at m to_ (fst a) (snd a)).
 
@@ -458,19 +459,9 @@ Section Automorphism.
     - intros i Hi. rewrite !MS. destruct (nth_error parts i) as [p |] eqn:Hp.
       2: { apply nth_error_None in Hp. lia. }
       pose proof (nth_error_In _ _ Hp) as Ip.
-      assert (K : forall b, nth_error (number (fun i f => f i) 0 (map (fun p =>
-          match p with
-          | Slot k => fun i => match nth_error to_ (new_place m i) with
-                               | Some (Slot j) => Nat.ltb j n && Nat.eqb (source (pull_at j)) k
-                               | _ => false
-                               end
-          | Inner q => fun i => match nth_error to_ (new_place m i) with
-                                | Some (Inner q') => maps q (deeper m i) q'
-                                | _ => false
-                                end
-          end) parts)) i = Some b -> b = true) by (intros b; apply all_true_nth; exact HP).
+      assert (K := fun b => all_true_nth _ i b HP).
       rewrite number_error, nth_error_map, Hp in K. cbn [option_map Nat.add] in K. specialize (K _ eq_refl).
-      unfold name_at, old_name_at. destruct p as [k | q].
+      unfold name_at, old_name_at, names_at. destruct p as [k | q].
       + destruct (nth_error to_ (new_place m i)) as [[j | q'] |]; try discriminate. apply andb_true_iff in K.
         destruct K as [K1 K2]. apply Nat.ltb_lt in K1. apply Nat.eqb_eq in K2. subst k. exact (slot_agree s j Hs K1).
       + destruct (nth_error to_ (new_place m i)) as [[j | q'] |] eqn:Ht; try discriminate.

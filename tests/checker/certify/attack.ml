@@ -714,7 +714,6 @@ let forged_steps overlooked (claim : Formats.claim) (plan : Certificate_check.pl
   let total = Array.length entries in
   let index f = let rec from i = if i = total || f i then i else from (i + 1) in from 0 in
   let fields = Follow.fields_of plan.shape.packs in
-  let unpack words = Array.map (fun (w, shift, bits) -> (List.nth words w lsr shift) land ((1 lsl bits) - 1)) fields in
   let perform locals j =
     let n, _ = entries.(j) in
     let after = Array.copy locals in
@@ -731,7 +730,7 @@ let forged_steps overlooked (claim : Formats.claim) (plan : Certificate_check.pl
       let fits i = List.for_all (fun (k, v) -> List.assoc_opt k cube = Some v) (snd entries.(i)) in
       let same i = fst entries.(i) = fst entries.(j) in
       index (fun i -> match overlooked with Other_rule -> fits i | Any_cube -> same i | _ -> fits i && same i));
-    hint = (fun words -> path (unpack words) longest) }
+    hint = (fun words -> path (Follow.unpack fields words) longest) }
 
 (* Steps that lie in some places. *)
 let lying_steps (r : confluent_steps) =
@@ -904,7 +903,7 @@ let without_a_rule process = with_rule process (fun (d, l, a, pu) -> (d, l, (fst
 (* The automorphism, with additional rules that correspond to themselves. *)
 let for_more_rules g =
   let more f i = try f i with Invalid_argument _ -> i in
-  let rec tree m = Mapping (new_place m, new_name m, old_name m, more (rule_to m), more (rule_from m), fun i -> tree (deeper m i)) in
+  let rec tree m = { m with rule_to = more m.rule_to; rule_from = more m.rule_from; deeper = (fun i -> tree (m.deeper i)) } in
   { g with tree = tree g.tree }
 
 (* An automorphism that lies in some places. *)
@@ -918,20 +917,17 @@ let lying_automorphism g =
         rename = (fun e -> lie 4 (k, e) (p.rename e) (fun n -> n mod 5)); restore = (fun e -> lie 5 (k, e) (p.restore e) (fun n -> n mod 5)) } )
   in
   let rec mapping depth m =
-    Mapping (on (10 + depth) (new_place m), on (20 + depth) (new_name m), on (30 + depth) (old_name m), on (40 + depth) (rule_to m),
-             on (50 + depth) (rule_from m), fun i -> mapping (depth + 1) (deeper m i))
+    { new_place = on (10 + depth) m.new_place; new_name = on (20 + depth) m.new_name; old_name = on (30 + depth) m.old_name;
+      rule_to = on (40 + depth) m.rule_to; rule_from = on (50 + depth) m.rule_from; deeper = (fun i -> mapping (depth + 1) (m.deeper i)) }
   in
   let pulls = match Random.int 6 with 0 -> List.tl g.pulls | 1 -> g.pulls @ [ List.hd g.pulls ] | 2 -> List.map pull g.pulls | _ -> g.pulls in
   { pulls; tree = (if Random.bool () then g.tree else mapping 0 g.tree); instead = (if Random.bool () then g.instead else fun n i -> lie 60 (n, i) (g.instead n i) (fun n -> n mod 3)) }
 
 (* The exchanges that are found in a process, and words of them that lead each state to the least one that is found. *)
-let exchanges_in (claim : Formats.claim) ~indifferent =
+let exchanges_in (claim : Formats.claim) =
   let plan = Certificate_check.plan_of claim ~most in
-  let merges = plan.shape.merges and layout = plan.shape.packs in
-  let system = merged merges plan.process.system in
-  let representative k v = if v < merges.merged_states k then merges.representative k v else v in
   if not (shape_ok plan.shape plan.process.system) then None
-  else Symmetric.exchanges_of system plan.process.sizes representative layout (Follow.fields_of layout) plan.nodes indifferent
+  else Certificate_check.exchanges_of plan ~indifferent:(fun _ -> true)
 
 (* Leads each state to one of its images, which depends on a number. So other states are visited for another number. *)
 let random_turns (layout : layout) symmetric =
@@ -957,7 +953,8 @@ let random_turns (layout : layout) symmetric =
 (* Exchanges an event of the whole process with tau or tick, in the process and in the automorphism. *)
 let exchanged_event event other process =
   let exchange e = if e = event then other else if e = other then event else e in
-  let tree m = Mapping (new_place m, (fun e -> exchange (new_name m (exchange e))), (fun e -> exchange (old_name m (exchange e))), rule_to m, rule_from m, deeper m) in
+  let renamed f e = exchange (f (exchange e)) in
+  let tree m = { m with new_name = renamed m.new_name; old_name = renamed m.old_name } in
   ( { process with whole = { process.whole with rules = List.map (fun (d, l, a, pu) -> (exchange d, l, a, pu)) process.whole.rules } },
     fun g -> { g with tree = tree g.tree } )
 
@@ -969,10 +966,10 @@ let attack_symmetric seed trial =
     let claim_about p = claim_of question (Option.map text spec_of) (text p) in
     let truth p = truth question (Option.map of_process spec_of) (of_process p) in
     judge_honest seed trial (claim_about process) (truth process);
-    match exchanges_in (claim_about process) ~indifferent:(fun _ -> true) with
+    match exchanges_in (claim_about process) with
     | None -> ()
     | Some (symmetric, turns) ->
-        (* Processes that differ a little from one of which the claim is true. *)
+        (* Processes that differ a little from one that satisfies the claim. *)
         let others = if truth process then List.filter (fun p -> not (truth p)) (times 12 other) else [ other () ] in
         let others = process :: List.filteri (fun i _ -> i < 4) others in
         List.iter (fun p -> judge_honest seed trial (claim_about p) (truth p)) (List.tl others);
